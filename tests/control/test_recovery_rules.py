@@ -36,8 +36,8 @@ from armui.control.operating_state import (
 )
 from armui.control.run.progress import OVER, RunPhase
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
-from armui.control.safety.recovery_rules import STEP_IN_VAIN, next_step
-from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
+from armui.control.safety.recovery_rules import _RULES, STEP_IN_VAIN, next_step
+from armui.control.safety.recovery_steps import ARM_FAULTS, UNHINDERED, Action, Step, StepKind
 from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.generation import Generation
@@ -376,6 +376,71 @@ def test_an_arm_on_its_way_is_not_called_ready():
     assert (met.kind, met.params) == (StepKind.NO_MOTION, {"reason": MET_MOVING()})
     ours = replace(operating_state(state), cannot_move=None)
     assert next_step(state, ours, NOW_S).kind is StepKind.MOVING
+
+
+PRESENT_DANGERS = ARM_FAULTS | {
+    StepKind.CANCEL_UNHEEDED,
+    StepKind.LEADER_ARM,
+    StepKind.OTHER_HOST,
+}
+DOUBTS = frozenset(
+    {
+        StepKind.CELL_UNREADABLE,
+        StepKind.OTHER_MODE,
+        StepKind.OTHER_CONTROL,
+        StepKind.MOTORS_UNKNOWN,
+        StepKind.MOTORS_MIXED,
+        StepKind.PAUSED,
+        StepKind.HELD_AT_ZERO,
+        StepKind.REFERENCE_IN_DOUBT,
+    }
+)
+OFFERS_AFTER_THE_CELL = frozenset(
+    {
+        *(StepKind.MOTORS_OFF, StepKind.OUTSIDE),
+        *(StepKind.RUN_PAUSED, StepKind.RUN_WAITS, StepKind.RUNNING),
+        *(StepKind.MOVING, StepKind.READY),
+    }
+)
+# a cell that is not confirmed is asked about before any doubt further down: nothing moves till then
+OFFERS = OFFERS_AFTER_THE_CELL | {StepKind.CELL_HOLDING, StepKind.CELL_UNCONFIRMED}
+OF_DRAG_TEACHING = frozenset({StepKind.RECORDING, StepKind.REPLAYING, StepKind.REPLAY_PAUSED})
+
+
+@pytest.mark.parametrize(
+    ("greater", "lesser"),
+    [
+        (PRESENT_DANGERS, DOUBTS),
+        (PRESENT_DANGERS, OFFERS),
+        (ARM_FAULTS | {StepKind.CANCEL_UNHEEDED}, OF_DRAG_TEACHING),
+        (DOUBTS, OFFERS_AFTER_THE_CELL),
+    ],
+)
+def test_danger_is_told_before_doubt_and_doubt_before_an_offer(greater, lesser):
+    order = [rule.kind for rule in _RULES]
+    last = max(place for place, kind in enumerate(order) if kind in greater)
+    assert last < min(order.index(kind) for kind in lesser)
+
+
+@pytest.mark.parametrize(
+    "waits", [CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")], ids=str
+)
+def test_who_moves_the_arm_is_told_before_the_cell_is_asked_about(waits):
+    hosts, authority = OtherHosts(), Authority()
+    hosts.note(0x155, bytes(8), NOW_S)
+    authority.unconfirmed_cell = waits
+    step = step_of(arm(status()), traffic=hosts.traffic(), authority=authority)
+    assert step.kind is StepKind.OTHER_HOST
+
+
+def test_a_reference_in_doubt_leaves_the_button_of_enabling_its_place():
+    doubt = ReferenceStatus((2, 5), False, False)
+    off = step_of(arm(status(), (False,) * 6), reference=doubt)
+    assert (off.kind, off.action) == (StepKind.REFERENCE_IN_DOUBT, Action.ENABLE)
+    assert off.alternative is Action.CHECK_REFERENCE
+    on = step_of(arm(status()), reference=doubt)
+    assert (on.kind, on.action) == (StepKind.REFERENCE_IN_DOUBT, Action.CHECK_REFERENCE)
+    assert on.alternative is Action.ALLOW
 
 
 def test_what_a_step_is_about_is_named():

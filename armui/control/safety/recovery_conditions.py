@@ -275,6 +275,11 @@ def reference_in_doubt(*, agreed: bool) -> Applies:
     return applies
 
 
+def when_off(applies: Applies) -> Applies:
+    """Return a check that applies as another one does, while not all motors are enabled."""
+    return lambda view: None if view.enabled else applies(view)
+
+
 def near_rest(view: RecoveryView) -> bool:
     """Return whether the arm is led by hand and near the rest pose."""
     return view.in_drag_mode and is_near_rest(view.state)

@@ -2,7 +2,8 @@
 
 A higher row must be settled before a lower one can be: without a link nothing else matters, a stop
 hides every other fault, a driver with a fault keeps its motor off, motors without power cannot be
-moved out of a limit.
+moved out of a limit. Of those that could be settled in any order the greater matter comes first:
+danger, then doubt, then what is offered.
 """
 
 from __future__ import annotations
@@ -58,6 +59,7 @@ from armui.control.safety.recovery_conditions import (
     too_hot,
     unknown_status,
     when,
+    when_off,
     working,
 )
 from armui.control.safety.recovery_steps import Action, Step, StepKind
@@ -234,15 +236,18 @@ _RULES: Final = (
     ),
     _Rule(StepKind.OTHER_FAULT, Level.FAULT, Action.RESET, has_code(ArmStatusCode.OTHER_FAULT)),
     _Rule(StepKind.UNKNOWN_STATUS, Level.FAULT, Action.RESET, unknown_status),
-    _Rule(StepKind.RECORDING, Level.INFO, Action.STOP_RECORDING, in_phase(TeachingPhase.RECORDING)),
-    _Rule(StepKind.REPLAYING, Level.INFO, Action.ABORT_REPLAY, in_phase(TeachingPhase.REPLAYING)),
-    _Rule(StepKind.REPLAY_PAUSED, Level.INFO, Action.ABORT_REPLAY, in_phase(TeachingPhase.PAUSED)),
     _Rule(
         StepKind.CANCEL_UNHEEDED,
         Level.FAULT,
         Action.STOP,
         when(lambda view: view.operating_state.cancel_unheeded),
     ),
+    _Rule(StepKind.RECORDING, Level.INFO, Action.STOP_RECORDING, in_phase(TeachingPhase.RECORDING)),
+    _Rule(StepKind.REPLAYING, Level.INFO, Action.ABORT_REPLAY, in_phase(TeachingPhase.REPLAYING)),
+    _Rule(StepKind.REPLAY_PAUSED, Level.INFO, Action.ABORT_REPLAY, in_phase(TeachingPhase.PAUSED)),
+    # Who moves the arm is told before the cell is asked about; taking over moves nothing.
+    _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(LEADER_ARM)),
+    _Rule(StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is(OTHER_HOST)),
     # Until the cell is settled nothing of ours moves the arm, and steps further down may move it.
     _Rule(StepKind.CELL_UNREADABLE, Level.WARNING, Action.LEAVE_CELL, cell_waits(CELL_NOT_READ)),
     _Rule(
@@ -256,8 +261,6 @@ _RULES: Final = (
     ),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.LEAVE_MODE, other_mode_that_ends),
     _Rule(StepKind.OTHER_MODE, Level.WARNING, Action.RESET, other_mode),
-    _Rule(StepKind.LEADER_ARM, Level.WARNING, Action.TAKE_OVER, other_host_is(LEADER_ARM)),
-    _Rule(StepKind.OTHER_HOST, Level.WARNING, Action.TAKE_OVER, other_host_is(OTHER_HOST)),
     _Rule(StepKind.OTHER_CONTROL, Level.WARNING, Action.STANDBY, other_control),
     _Rule(
         StepKind.MOTORS_UNKNOWN,
@@ -304,6 +307,14 @@ _RULES: Final = (
         Level.WARNING,
         Action.CHECK_REFERENCE,
         when(lambda view: view.operating_state.reference.checking),
+    ),
+    # Enabling keeps its button: neither check nor agreement is of use to motors without power.
+    _Rule(
+        StepKind.REFERENCE_IN_DOUBT,
+        Level.WARNING,
+        Action.ENABLE,
+        when_off(reference_in_doubt(agreed=False)),
+        alternative=Action.CHECK_REFERENCE,
     ),
     _Rule(
         StepKind.REFERENCE_IN_DOUBT,

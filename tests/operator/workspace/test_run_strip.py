@@ -4,8 +4,10 @@ import pytest
 from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Step, StepKind
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.running.run_strip import END_MS
 from tests.operator.workspace.actions import Pages, rect_in_window
 
 
@@ -68,14 +70,43 @@ def test_it_is_seen_when_the_page_is_taken_out_and_ends_the_run(running):
     assert running.driver.read("run_text").endswith("ended")
 
 
-def test_it_stays_until_the_operator_has_seen_how_it_ended(running):
+def test_its_end_is_told_and_can_be_put_away(running):
     running.driver.run_until(lambda: not running.driver.controller.player.running, 60.0)
     assert running.driver.read("run_text").endswith("done")
     assert not running.driver.find("run_stop").isVisible()
     running.driver.click("run_close")
-    assert not strip(running).isVisible()
+    running.driver.wait(lambda: not strip(running).isVisible())
     running.driver.page(EditorPage).findChild(QWidget, "run_send").click()
     running.driver.run_until(lambda: strip(running).isVisible())
+
+
+def test_its_end_goes_by_itself_after_5_s(running):
+    driver = running.driver
+    driver.run_until(lambda: not driver.controller.player.running, 60.0)
+    assert END_MS == 5000
+    assert strip(running)._ends.interval() == END_MS
+    assert strip(running)._ends.isActive()
+    strip(running)._ends.timeout.emit()
+    assert not strip(running).isVisible()
+    assert driver.find("recovery_line").isVisible()
+
+
+def test_its_end_goes_at_the_first_press_anywhere_which_does_what_it_is_for(running):
+    driver = running.driver
+    driver.run_until(lambda: not driver.controller.player.running, 60.0)
+    driver.click("menu_gripper")
+    driver.wait(lambda: not strip(running).isVisible())
+    assert driver.find("menu_gripper").isChecked()
+    assert not strip(running)._ends.isActive()
+
+
+def test_an_end_by_a_failure_is_told_until_the_next_press(running):
+    driver = running.driver
+    driver.controller.player._fail(SPEED_ZERO())
+    assert driver.read("run_text").endswith("ended early")
+    assert not strip(running)._ends.isActive()
+    driver.click("menu_gripper")
+    driver.wait(lambda: not strip(running).isVisible())
 
 
 def test_it_stands_in_the_place_of_a_step_that_says_no_more(running):

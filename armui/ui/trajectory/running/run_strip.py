@@ -6,12 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtWidgets import (
-    QProgressBar,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QProgressBar, QSizePolicy, QWidget
 
 from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
@@ -46,10 +42,13 @@ _GAP_PX: Final = 10
 _LEAST_PX: Final = 220
 """The width that the run's words have at least beside an obstacle."""
 _UNBOUNDED_PX: Final = 10_000
+END_MS: Final = 5000
+"""The time that the end of a run is told; one that failed is told until the next press."""
+_PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress})
 
 
 class RunStrip(HasActs, Translated, QWidget):
-    """Visible from the beginning of a run until the operator has seen its end.
+    """Visible from the beginning of a run until 5 s after its end, or the first press after it.
 
     It follows every run, of points or of a recording.
 
@@ -93,6 +92,9 @@ class RunStrip(HasActs, Translated, QWidget):
         self._bar.setFixedWidth(_BAR_PX)
         self._told = QWidget()
         self._beside = False
+        self._ends = QTimer(self, singleShot=True, interval=END_MS)
+        self._ends.timeout.connect(self.hide)
+        self._tells_end = False
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
@@ -176,8 +178,28 @@ class RunStrip(HasActs, Translated, QWidget):
         self._told.setMaximumWidth(_LEAST_PX if self._beside else _UNBOUNDED_PX)
         self._told.setMinimumWidth(_LEAST_PX if self._beside else 0)
         self._bar.setVisible(not self._beside)
-
+        self._tell_end(wanted=self.isVisible() and self._close.isVisible())
         self.update()
+
+    def _tell_end(self, *, wanted: bool) -> None:
+        """Begin to tell the end of a run, which goes by itself or at the first press anywhere."""
+        app = QApplication.instance()
+        if wanted == self._tells_end or app is None:
+            return
+        self._tells_end = wanted
+        if not wanted:
+            self._ends.stop()
+            app.removeEventFilter(self)
+            return
+        app.installEventFilter(self)
+        if self._runner.progress.phase is not RunPhase.FAILED:
+            self._ends.start()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Go at a press, which reaches what it was meant for."""
+        if event.type() in _PRESSES:
+            QTimer.singleShot(0, self, self.hide)
+        return super().eventFilter(watched, event)
 
     @property
     def _is_paused(self) -> bool:
@@ -247,6 +269,7 @@ class RunStrip(HasActs, Translated, QWidget):
         """Drop a refusal, which does not concern the next run."""
         super().hideEvent(event)
         self._refusal = None
+        self._tell_end(wanted=False)
         self.turned.emit()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
