@@ -6511,6 +6511,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>正在读取 {names}…</translation>
     </message>
     <message>
+        <source>The arm cannot run “{name}”, row {row}: {reason}</source>
+        <translation>机械臂无法运行“{name}”，第 {row} 行：{reason}</translation>
+    </message>
+    <message>
+        <source>And {count} more. Open it and press Check to see them.</source>
+        <translation>另有 {count} 条。打开它并按“检查”查看。</translation>
+    </message>
+    <message>
         <source>Imported: {names}</source>
         <translation>已导入：{names}</translation>
     </message>
@@ -6525,6 +6533,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Not imported. {reason}</source>
         <translation>未导入。{reason}</translation>
+    </message>
+    <message>
+        <source>Not imported yet. {reason}</source>
+        <translation>尚未导入。{reason}</translation>
     </message>
     <message>
         <source>Not imported either: {count} more. See the results.</source>

@@ -101,7 +101,6 @@ def _by_columns(app_driver: AppDriver, table: str) -> ColumnsPage:
         chooser = app_driver.dialog(FileDialog)
         chooser.filesSelected.emit([str(path)])
         chooser.close()
-        app_driver.click(window.findChild(QWidget, "library_by_columns"))
     return app_driver.page(ColumnsPage)
 
 

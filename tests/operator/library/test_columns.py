@@ -250,6 +250,15 @@ def test_a_wrong_unit_shows_in_the_limits_it_breaks(operator):
     assert operator.library.entries() == []
 
 
+def test_what_the_arm_cannot_run_is_told_once_it_is_imported(operator):
+    operator.open(line=ANGLES + "20 220 -40 10 20 15\n")
+    operator.take()
+    assert operator.told() == (
+        "Imported: line\nThe arm cannot run “line”, row 3: Joint 2 would be at 220°, beyond its "
+        "limits 0° to 180°. Change the point."
+    )
+
+
 def test_a_name_that_is_taken_or_none_is_refused(operator):
     operator.library.save(Trajectory("line"))
     operator.open(line=TITLED)
@@ -267,6 +276,7 @@ def test_cancel_changes_nothing_and_the_offer_stays(operator):
     operator.open(line=TITLED)
     operator.app_driver.click(operator.child("cancel"))
     assert not is_open()
+    assert operator.told().startswith("Not imported yet. line.csv, line 1: ")
     assert operator.library.entries() == []
     operator.app_driver.click(operator.enable_or_explain)
     operator.take()
@@ -276,9 +286,10 @@ def test_cancel_changes_nothing_and_the_offer_stays(operator):
 def test_several_are_offered_one_after_the_other(operator):
     operator.open(first=TITLED, second=TITLED.replace("_deg", "(deg)"))
     operator.take()
+    assert operator.child("name").text() == "second"
+    operator.app_driver.click(operator.child("cancel"))
     assert operator.told() == "Imported: first\nNot imported yet: second.csv"
     operator.app_driver.click(operator.enable_or_explain)
-    assert operator.child("name").text() == "second"
     operator.take()
     assert operator.told() == "Imported: second"
     assert {entry.name for entry in operator.library.entries()} == {"first", "second"}
@@ -304,7 +315,8 @@ def test_a_broken_file_of_ours_is_told_and_not_offered(operator):
 
 
 def test_a_file_that_is_gone_by_then_is_told(operator):
-    operator.bring(line=TITLED)
+    operator.open(line=TITLED)
+    operator.app_driver.click(operator.child("cancel"))
     (operator.folder / "line.csv").unlink()
     operator.app_driver.click(operator.enable_or_explain)
     assert "line.csv: The file cannot be read" in operator.told()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QTableWidget, QWidget
 from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
+from armui.control.events import Level
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
@@ -271,18 +272,80 @@ def test_poses_leave_and_come_as_those_of_the_tool_and_what_differs_is_told(driv
     )
     assert "#tool,pen,10,-5,100,15,-25,40" in (tmp_path / "x.csv").read_text()
     brought(driver, tmp_path / "x.csv")
-    assert driver.message().splitlines()[-1].startswith("Their names were taken")
+    assert driver.message().splitlines()[1].startswith("Their names were taken")
     accepted(cell.change(with_part(bench, LONG, instead_of="pen")))
     brought(driver, tmp_path / "x.csv")
-    assert driver.message().splitlines()[-1] == (
+    assert driver.message().splitlines()[2] == (
         "x.csv has poses of the tool “pen”, whose figures are others here. The flange goes where "
         "it did there, the tip elsewhere."
     )
     accepted(cell.choose(""))
     brought(driver, tmp_path / "x.csv")
-    assert [line.partition(",")[0] for line in driver.message().splitlines()[-2:]] == [
+    assert [line.partition(",")[0] for line in driver.message().splitlines()[2:4]] == [
         "x.csv has poses of the tool “pen”",
         "x.csv has points in the user frame “Table”",
     ]
     for name in ("poses 2", "poses 3", "poses 4"):
         assert driver.library.load(name).points == points
+
+
+# Beyond what the arm can do -----------------------------------------------------------------------
+
+
+def beyond_file(folder, name, *joint_2_deg):
+    path = folder / f"{name}.csv"
+    points = tuple(
+        replace(POINT, target=(20.0, deg, -40.0, 10.0, 20.0, 15.0)) for deg in joint_2_deg
+    )
+    path.write_bytes(files.to_bytes(Trajectory(name, points=points), ".csv"))
+    return path
+
+
+def test_what_the_arm_cannot_run_is_imported_in_amber_with_joint_figure_and_remedy(
+    driver, tmp_path
+):
+    brought(driver, beyond_file(tmp_path, "high", 40.0, 220.0))
+    assert driver.message() == (
+        "Imported: high\nThe arm cannot run “high”, row 2: Joint 2 would be at 220°, beyond its "
+        "limits 0° to 180°. Change the point."
+    )
+    assert driver.child("message")._level is Level.WARNING
+    assert {row[0]: row[4] for row in driver.rows()}["high"] == "✕ errors"
+
+
+def test_what_it_can_run_is_imported_in_green_and_is_checked(driver, tmp_path):
+    brought(driver, beyond_file(tmp_path, "fine", 40.0, 50.0))
+    assert driver.message() == "Imported: fine"
+    assert driver.child("message")._level is Level.DONE
+    assert {row[0]: row[4] for row in driver.rows()}["fine"] == "✓ checked"
+
+
+def test_of_many_beyond_the_first_are_told_and_the_report_stays(driver, tmp_path):
+    brought(
+        driver,
+        beyond_file(tmp_path, "a", 220.0, 40.0, 221.0),
+        beyond_file(tmp_path, "b", 40.0, 222.0, 40.0, 223.0),
+    )
+    said = driver.message().splitlines()
+    assert said[0] == "Imported: a, b"
+    assert [line.split(":")[0] for line in said[1:4]] == [
+        "The arm cannot run “a”, row 1",
+        "The arm cannot run “a”, row 3",
+        "The arm cannot run “b”, row 2",
+    ]
+    assert said[4:] == ["And 1 more. Open it and press Check to see them."]
+    assert driver.child("report").isVisible()
+
+
+def test_a_message_that_came_meanwhile_is_not_taken_away_by_what_was_checked(slow_driver, tmp_path):
+    driver = LibraryDriver(slow_driver, "one")
+    driver.window._exchange.import_files([beyond_file(tmp_path, "high", 220.0)])
+    while driver.message() == "Reading high.csv…":
+        future, fn, args, kwargs = slow_driver.workers.waiting.pop(0)
+        future.set_result(fn(*args, **kwargs))
+    assert driver.message() == "Imported: high"
+    driver.choose("one")
+    driver.click("delete")
+    assert driver.message() == "Deleted: one"
+    slow_driver.workers.work()
+    assert driver.message() == "Deleted: one"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -23,19 +23,23 @@ from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
 from armui.trajectory.library.importing import Imported, find_or_import, import_files
+from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.planning.findings import Finding
 from armui.trajectory.points.program import OF_FLANGE, PosesOf
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.background import Background, Job
+from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.findings import finding as finding_text
 
 _PATTERNS: Final = "*.armui *.log *.csv *.json *.npz *.txt"
 
@@ -224,12 +228,15 @@ class ReportButton(Translated, QPushButton):
     Args:
         controller: Receives the emergency stop.
         window: The parent of the report.
+
+    Attributes:
+        results: What became of each file; empty if there is nothing to report.
     """
 
     def __init__(self, controller: ArmController, window: QWidget) -> None:
         super().__init__(window)
         self._controller = controller
-        self._results: Sequence[Result] = ()
+        self.results: Sequence[Result] = ()
         self.setObjectName("library_report")
         self.setAutoDefault(False)
         self.clicked.connect(lambda _checked=False: self._open())
@@ -238,11 +245,11 @@ class ReportButton(Translated, QPushButton):
 
     def show_for(self, results: Sequence[Result]) -> None:
         """Offer the report of these results, or none."""
-        self._results = results
+        self.results = results
         self.setVisible(bool(results))
 
     def _open(self) -> None:
-        report = ImportReport(self._controller, self._results, self.window())
+        report = ImportReport(self._controller, self.results, self.window())
         report.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         report.open()
 
@@ -298,7 +305,7 @@ class LibraryExchange(QObject):
 
     Args:
         controller: Receives the emergency stop.
-        background: Reads files.
+        checks: Reads files, and checks what is in them.
         work: Runs actions on the library.
         window: The parent of the choosers.
 
@@ -309,19 +316,24 @@ class LibraryExchange(QObject):
     Signals:
         said: A text, or a function that returns it, and its :class:`Level`.
         imported: The names of imported trajectories.
+        checked: The :class:`Preflight` of one that was imported.
         found: The name of a trajectory to be opened, when its file has been imported.
     """
 
     said = Signal(object, object)
     imported = Signal(object)
+    checked = Signal(object)
     found = Signal(str)
 
     def __init__(
-        self, controller: ArmController, background: Background, work: LibraryWork, window: QWidget
+        self, controller: ArmController, checks: Checks, work: LibraryWork, window: QWidget
     ) -> None:
         super().__init__(window)
         self._controller = controller
-        self._background = background
+        self._checks = checks
+        self._background = checks.background
+        self._to_check: Sequence[str] = ()
+        self._beyond: tuple[tuple[str, Finding], ...] = ()
         self._work = work
         self._library = work.library
         self._window = window
@@ -334,6 +346,7 @@ class LibraryExchange(QObject):
         """Hide the offers, because another message is shown."""
         self.by_columns.show_for(())
         self.report.show_for(())
+        self._to_check = ()
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
@@ -342,7 +355,8 @@ class LibraryExchange(QObject):
     def import_files(self, paths: Sequence[Path]) -> None:
         """Import the valid ones among some files in the background, and report the others.
 
-        Unknown tables are offered for import by columns.
+        Unknown tables are offered for import by columns; where there is nothing else to tell, that
+        page opens at once.
         """
         if paths:
             self._say_reading(paths)
@@ -383,12 +397,61 @@ class LibraryExchange(QObject):
             self.said.emit(words.refusal(imported), Level.FAULT)
             return
         results = list(map(self._result, imported))
-        self.imported.emit([one.name for one in imported if one.name])
+        names = [one.name for one in imported if one.name]
+        self.imported.emit(names)
         failed = any(result.problem or result.notes for result in results)
         told = partial(self._tell_of, imported)
-        self.said.emit(told, Level.WARNING if failed else Level.DONE)
-        self.by_columns.show_for([one.path for one in imported if one.is_table])
+        tables = [one.path for one in imported if one.is_table]
+        self._tell_checked(told, names, Level.WARNING if failed else Level.DONE)
+        self.by_columns.show_for(tables)
         self.report.show_for(results if len(results) > 1 else ())
+        if tables and len(tables) == len(imported):
+            self.by_columns.lead()
+
+    def _tell_checked(self, told: Callable[[], str], names: Sequence[str], level: Level) -> None:
+        """Say what was imported, and once it is checked, what of it this arm cannot do."""
+        self._beyond = ()
+        self.said.emit(told, level)
+        self._to_check = names
+        if names:
+            self._check_next(told, level)
+
+    def _check_next(self, told: Callable[[], str], level: Level) -> None:
+        names = self._to_check
+
+        def is_over() -> bool:
+            return not isValid(self) or self._to_check is not names
+
+        def on_read(content: Content) -> None:
+            if not is_over():
+                self._checks.begin(content, RunOptions(), on_checked)
+
+        def on_checked(checked: Preflight | Refusal) -> None:
+            if is_over():
+                return
+            if not isinstance(checked, Refusal):
+                self.checked.emit(checked)
+                self._beyond += tuple(_beyond(checked))
+            self._to_check = names[1:]
+            if self._to_check:
+                self._check_next(told, level)
+            elif self._beyond:
+                offers = self.by_columns.paths, self.report.results
+                self.said.emit(partial(self._tell_beyond, told, self._beyond), Level.WARNING)
+                self.by_columns.show_for(offers[0])
+                self.report.show_for(offers[1])
+
+        # one after another: what the operator asks for meanwhile waits for one of them at most
+        self._work.do(lambda: self._library.load(names[0]), on_read, lambda _text: None)
+
+    def _tell_beyond(self, told: Callable[[], str], beyond: Sequence[tuple[str, Finding]]) -> str:
+        text = self.tr("The arm cannot run “{name}”, row {row}: {reason}")
+        lines = [
+            text.format(name=name, row=(found.row or 0) + 1, reason=finding_text(found))
+            for name, found in beyond
+        ]
+        rest = self.tr("And {count} more. Open it and press Check to see them.")
+        return "\n".join([told(), *_problem_lines(lines, "{reason}", rest)])
 
     def _tell_of(self, imported: Sequence[Imported]) -> str:
         """Return what became of some files, in as few lines as an operator reads."""
@@ -408,7 +471,8 @@ class LibraryExchange(QObject):
         notes = [note for result in results for note in result.notes]
         lines += _problem_lines(notes, "{reason}", self.tr("And {count} more. See the results."))
         problems = [result.problem for result in results if result.problem]
-        one = self.tr("Not imported. {reason}")
+        asked = all(each.is_table for each in imported)
+        one = self.tr("Not imported yet. {reason}") if asked else self.tr("Not imported. {reason}")
         rest = self.tr("Not imported either: {count} more. See the results.")
         return "\n".join([*lines, *_problem_lines(problems, one, rest)])
 
@@ -419,12 +483,16 @@ class LibraryExchange(QObject):
     def _on_by_columns(self, name: str) -> None:
         """One is done; the others are still offered."""
         left = self.by_columns.paths
+
+        def told() -> str:
+            text = self.tr("Imported: {names}").format(names=name)
+            if left:
+                names = ", ".join(path.name for path in left)
+                text += "\n" + self.tr("Not imported yet: {names}").format(names=names)
+            return text
+
         self.imported.emit([name])
-        text = self.tr("Imported: {names}").format(names=name)
-        if left:
-            names = ", ".join(path.name for path in left)
-            text += "\n" + self.tr("Not imported yet: {names}").format(names=names)
-        self.said.emit(text, Level.DONE)
+        self._tell_checked(told, [name], Level.DONE)
         self.by_columns.show_for(left)
 
     def export(self, names: Sequence[str], suffix: str) -> None:
@@ -467,6 +535,13 @@ class LibraryExchange(QObject):
         one, rest = self.tr("Not exported. {reason}"), self.tr("Not exported either: {count} more.")
         lines += _problem_lines(problems, one, rest)
         self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
+
+
+def _beyond(checked: Preflight) -> Iterator[tuple[str, Finding]]:
+    """Yield what forbids to run an imported one, wherever the arm stands, with its name."""
+    for found in checked.outcome.errors:
+        if not found.is_of_approach:
+            yield checked.content.name, found
 
 
 def _problem_lines(problems: Sequence[str], one: str, rest: str) -> list[str]:

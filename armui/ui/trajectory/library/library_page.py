@@ -128,7 +128,7 @@ class LibraryPage(Page):
         self._bin_button = BinButton(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self, background)
-        self._exchange = LibraryExchange(controller, background, self._work, self)
+        self._exchange = LibraryExchange(controller, self._checks, self._work, self)
         self._findings = FindingsPane()
         self._found_of = ""
         """The name of what the findings are about."""
@@ -207,6 +207,7 @@ class LibraryPage(Page):
         FileDrop(self).dropped.connect(self._exchange.import_files)
         self._exchange.said.connect(self._say)
         self._exchange.imported.connect(self._on_imported)
+        self._exchange.checked.connect(self._mark)
         self._exchange.found.connect(self.open_trajectory)
         self._exchange.by_columns.page_made.connect(self._lead_to)
         self.editors.page_made.connect(self._lead_to)
@@ -459,9 +460,9 @@ class LibraryPage(Page):
                 refused,
             )
 
-    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
-        name = checked.content.name
-        length_s = checked.length_s
+    def _mark(self, checked: Preflight) -> None:
+        """Have the library keep how a check of all rows ended, and show it in the list."""
+        name, length_s = checked.content.name, checked.length_s
         if checked.whole:
             self._work.do(
                 lambda: self._library.mark(
@@ -469,9 +470,12 @@ class LibraryPage(Page):
                 ),
                 refused=self._on_refused,
             )
-        self._found_of = name
-        self._model.note_found(name if checked.findings else "")
         self.refresh()
+
+    def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
+        self._found_of = checked.content.name
+        self._model.note_found(self._found_of if checked.findings else "")
+        self._mark(checked)
         self._say("")
         self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)

@@ -427,13 +427,13 @@ class ColumnsOffer(Translated, QPushButton):
         super().__init__(owner)
         self._work = work
         self._controller = controller
-        self._opening = False
+        self._opening = self._goes_on = False
         self._paths: list[Path] = []
         self._page: ColumnsPage | None = None
         self.setObjectName("library_by_columns")
         self.setAutoDefault(False)
         self.hide()
-        self.clicked.connect(self._open)
+        self.clicked.connect(self.lead)
         self.retranslate_ui()
 
     @property
@@ -447,7 +447,8 @@ class ColumnsOffer(Translated, QPushButton):
         self.setVisible(bool(paths))
         self.retranslate_ui()
 
-    def _open(self) -> None:
+    def lead(self) -> None:
+        """Open the page for the next file; after its import, for the one after it."""
         if self._page is not None:
             self._page.open()
             return
@@ -473,12 +474,16 @@ class ColumnsOffer(Translated, QPushButton):
 
     def _on_imported(self, path: Path, name: str) -> None:
         self._paths = [other for other in self._paths if other != path]
+        self._goes_on = True
         self.imported.emit(name)
 
     def _on_closed(self) -> None:
         if self._page is not None:
             self._page.deleteLater()
             self._page = None
+        goes_on, self._goes_on = self._goes_on and bool(self._paths), False
+        if goes_on:
+            self.lead()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
