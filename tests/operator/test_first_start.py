@@ -1,4 +1,4 @@
-"""From an empty window to an enabled arm: what is lit is pressed, and the presses counted.
+"""From an empty window to an enabled arm, and to a run of an imported table: presses are counted.
 
 ``python -m tests.operator.test_first_start`` says how many there are.
 """
@@ -14,10 +14,20 @@ import pytest
 from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 
 from armui.protocol.generation import Generation
+from armui.ui.dialogs.files import FileDialog
+from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 from tests.app_driver import AppDriver
 
 PRESSES = 3
 """Connection…, Connect, Enable. No motion is recommended: the operator chooses what comes next."""
+
+MOST_PRESSES_TO_RUN = 9
+"""From the first start to a run of an imported table; the file's choice is not counted."""
+JOINTS = ",".join(f"joint{joint}_deg" for joint in range(1, 7))
+POINTS = f"{JOINTS}\n" + "20,40,-40,10,20,15\n-15,30,-30,-10,30,-20\n"
+RECORDING = f"time_ms,{JOINTS}\n" + "".join(
+    f"{20 * step},{step / 5},{40 + step / 5},{-40 - step / 5},10,20,15\n" for step in range(50)
+)
 
 
 def lit(app_driver):
@@ -48,6 +58,48 @@ def press_what_is_lit(app_driver):
         app_driver.click(button)
         app_driver.run(0.7)
     return pressed
+
+
+def press_to_a_run(app_driver, folder, table):
+    """Run a table of another program on an arm that was never connected; what was pressed."""
+    pressed = press_what_is_lit(app_driver)
+
+    def press(button):
+        pressed.append(button.objectName())
+        app_driver.click(button)
+        app_driver.run(0.2)
+
+    press(app_driver.find("library_button"))
+    press(app_driver.find("library_import"))
+    path = folder / "line.csv"
+    path.write_text(table)
+    chooser = app_driver.dialog(FileDialog)
+    chooser.filesSelected.emit([str(path)])
+    chooser.close()
+    columns = app_driver.page(ColumnsPage)
+    press(columns.import_button)
+    app_driver.wait(lambda: not columns.busy)
+    press(app_driver.find("run_send"))
+    controller = app_driver.controller
+    while not (controller.player.running or controller.replayer.running):
+        assert len(pressed) < 20, pressed
+        press(lit(app_driver))
+    return pressed
+
+
+@pytest.mark.parametrize("table", [POINTS, RECORDING])
+def test_a_table_of_another_program_runs_after_few_presses(app_driver, tmp_path, table):
+    controller = app_driver.controller
+    pressed = press_to_a_run(app_driver, tmp_path, table)
+    assert pressed[:3] == ["recovery_button", "connect_connect", "recovery_button"]
+    assert pressed[3:] == [
+        *("library_button", "library_import", "columns_import", "run_send"),
+        "accept_warnings",  # its first point is far from where the arm is
+    ]
+    assert len(pressed) <= MOST_PRESSES_TO_RUN
+    app_driver.run_until(lambda: not (controller.player.running or controller.replayer.running), 60)
+    last = [float(each) for each in table.split()[-1].split(",")][-6:]
+    assert app_driver.firmware.joints_deg == pytest.approx(last, abs=1.0)
 
 
 def test_the_first_window_says_english_to_who_cannot_read_it(app_driver):
@@ -85,9 +137,10 @@ def main():
     app = QApplication(sys.argv[:1])
     with tempfile.TemporaryDirectory() as folder:
         app_driver = AppDriver(app, "count", Path(folder) / "settings.json", Generation.TWO)
-        pressed = press_what_is_lit(app_driver)
+        pressed = press_to_a_run(app_driver, Path(folder), POINTS)
         app_driver.close()
-    print(f"{len(pressed)} presses from the start to an enabled arm: {', '.join(pressed)}")
+    print(f"{PRESSES} presses from the start to an enabled arm: {', '.join(pressed[:PRESSES])}")
+    print(f"{len(pressed)} to a run of an imported table: {', '.join(pressed)}")
 
 
 if __name__ == "__main__":
