@@ -19,6 +19,7 @@ from armui.trajectory.library.folders import (
 )
 from armui.trajectory.library.history import LibraryHistory
 from armui.trajectory.library.importing import import_files
+from armui.trajectory.library.run_options import RunOptions
 from tests.trajectory.library.contents import locked, names, opened, refused, shown, trajectory
 
 
@@ -174,6 +175,23 @@ def test_an_entry_that_does_not_tell_frames_is_read_anew(library, folder):
     (folder / ".index.json").write_text(json.dumps(index))
     (entry,) = opened(folder).entries()
     assert (entry.name, entry.check, entry.frames) == ("pick", None, ())
+
+
+@pytest.mark.parametrize("factor", [0.5, 1.0, 2])
+def test_the_speed_that_a_run_once_had_is_read_and_is_written_as_full(library, folder, factor):
+    library.save(trajectory())
+    library.note_run("pick", RunOptions(cycles=3, step_by_step=True))
+    path = folder / ".index.json"
+    index = json.loads(path.read_text())
+    index["files"]["pick.log"][3]["ran_with"]["speed_factor"] = factor
+    path.write_text(json.dumps(index))
+    old = opened(folder)
+    (entry,) = old.entries()
+    assert entry.ran_with == RunOptions(cycles=3, step_by_step=True)
+    old.save(trajectory("other"))
+    kept = json.loads(path.read_text())["files"]["pick.log"][3]["ran_with"]
+    assert kept == {"cycles": 3, "first": 0, "step_by_step": True, "speed_factor": 1}
+    assert opened(folder).entries()[1].ran_with == entry.ran_with
 
 
 def test_what_old_deletions_held_in_folders_is_removed_in_time(cell, folder):
