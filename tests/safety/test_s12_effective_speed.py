@@ -1,5 +1,7 @@
 """S12: the slider at the top is the speed of a run, too; a first run begins slowly, visibly."""
 
+from dataclasses import replace
+
 from PySide6.QtWidgets import QWidget
 
 from armui.control.run.progress import RunPhase
@@ -63,6 +65,28 @@ def test_a_first_run_never_raises_it_and_a_second_leaves_it(app_driver):
     app_driver.type_into("speed_field", "60")
     operator.send()
     assert app_driver.read("speed_field") == "60 %"
+
+
+def test_a_first_run_that_does_not_begin_leaves_the_slider(app_driver):
+    operator = AtBoth(app_driver, replace(FAST, target=(0.0, 220.0, 0.0, 0.0, 0.0, 0.0)))
+    app_driver.type_into("speed_field", "60")
+    operator.send()
+    assert operator.child("findings_list").isVisible(), "the check has found errors"
+    assert operator.progress.phase is RunPhase.IDLE
+    assert app_driver.read("speed_field") == "60 %"
+
+
+def test_a_question_before_a_first_run_leaves_the_slider_until_it_is_agreed_to(app_driver):
+    operator = AtBoth(app_driver, replace(FAST, target=OUT))
+    app_driver.type_into("speed_field", "60")
+    operator.click("run_send")
+    assert operator.child("accept_warnings").isVisible()
+    assert app_driver.read("speed_field") == "60 %"
+    operator.click("accept_warnings")
+    app_driver.run(0.1)
+    assert app_driver.read("speed_field") == "20 %"
+    operator.until_over()
+    assert app_driver.read("speed_field") == "20 %"
 
 
 def test_what_is_raised_in_a_run_counts_and_is_back_after_it(app_driver):

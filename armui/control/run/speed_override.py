@@ -88,10 +88,11 @@ class SpeedOverride(ControllerPart):
         return None if wanted == now else self._motion.set_speed_percent(wanted)
 
     def _on_progressed(self, _progress: object) -> None:
-        """Keep the lower of the speeds before and in a run, as soon as it is over."""
-        running, ended = self._running, self._under_way
-        if running is None and ended is not None:
-            self._motion.speed_percent = min(self._motion.speed_percent, ended.speed_percent)
+        """Keep the lower of the speeds before and in a run, as it begins and when it is over."""
+        running, before = self._running, self._under_way
+        run = running or before
+        if run is not None and (running is None or before is None):
+            self._motion.speed_percent = min(self._motion.speed_percent, run.speed_percent)
         self._under_way = running
 
     def follow_arm(self) -> None:

@@ -46,6 +46,7 @@ class Press:
             self.runner,
             read=self.page,
             options=lambda: self.options,
+            speed_percent=lambda: 20,
             told=self.note,
             clock=lambda: self.now_s,
             **more,
@@ -88,7 +89,7 @@ def test_nothing_found_it_runs_at_once(press: Press) -> None:
     assert press.checks.begin.call_args.args[:2] == (CONTENT, RunOptions())
     checked = press.checked()
     assert press.states == TO_RUN
-    press.runner.start.assert_called_once_with(checked)
+    press.runner.start.assert_called_once_with(checked, 20)
     assert press.request.is_over
 
 
@@ -256,7 +257,7 @@ def test_given_up_by_whoever_is_told_of_a_state(press: Press, at: str) -> None:
 
 def test_what_sets_out_is_not_given_up_halfway(press: Press) -> None:
     """A stop meanwhile ends the run itself."""
-    press.runner.start.side_effect = lambda _checked: press.request.give_up()
+    press.runner.start.side_effect = lambda _checked, _percent: press.request.give_up()
     press.to("CHECKING")
     press.checked()
     assert press.states == TO_RUN

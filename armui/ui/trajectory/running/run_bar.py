@@ -409,9 +409,6 @@ class RunBar(Translated, QWidget):
 
     def send(self) -> None:
         """Check the content, then run it; what nobody has seen run begins slowly."""
-        begins_at = self._begins_at()
-        if not self._why_not() and begins_at < self._controller.motion.speed_percent:
-            self._controller.motion.set_speed_percent(begins_at)
         self._begin(self._options)
 
     def resume(self) -> None:
@@ -430,6 +427,7 @@ class RunBar(Translated, QWidget):
             *(self._controller, self._checks, self._runner),
             read=self._content,
             options=options,
+            speed_percent=self._begins_at,
             told=self._on_request,
             runs=runs,
             why_not=why_not,

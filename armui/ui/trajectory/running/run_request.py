@@ -67,6 +67,7 @@ class RunRequest:
         read: Passes on the content when it is read; ``None`` if there is none, which it reports
             itself.
         options: Returns the options as shown now.
+        speed_percent: Returns the operator's speed at which it would begin now.
         told: Called with the request in each new state.
         runs: True to run it; otherwise it is only checked.
         why_not: Returns for a content's name a further reason against the run.
@@ -90,6 +91,7 @@ class RunRequest:
         *,
         read: Callable[[Callable[[Content | None], object]], object],
         options: Callable[[], RunOptions],
+        speed_percent: Callable[[], int],
         told: Callable[[RunRequest], object],
         runs: bool = True,
         why_not: Callable[[str], Refusal | None] = lambda _name: None,
@@ -100,6 +102,7 @@ class RunRequest:
         self._runner = runner
         self._read = read
         self._options_shown = options
+        self._speed_percent = speed_percent
         self._told = told
         self._why_not = why_not
         self._clock = clock
@@ -192,7 +195,7 @@ class RunRequest:
         refusal = checked.why_outdated(self._controller, self.options)
         if refusal is None:
             self._enter(RequestState.STARTING)
-            refusal = self._runner.start(checked)
+            refusal = self._runner.start(checked, self._speed_percent())
         if refusal is not None:
             self._refuse(refusal)
         else:

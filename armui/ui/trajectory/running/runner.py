@@ -48,10 +48,14 @@ class Runner(QObject):
         replayer = self._controller.replayer
         return replayer.progress if replayer.running else self._controller.player.progress
 
-    def start(self, checked: Preflight) -> Refusal | None:
-        """Run a checked content; return ``None`` if the run has begun, or why not."""
+    def start(self, checked: Preflight, speed_percent: int) -> Refusal | None:
+        """Run a checked content; return ``None`` if the run has begun, or why not.
+
+        Args:
+            checked: What is run.
+            speed_percent: The operator's speed as it begins.
+        """
         content, options = checked.content, checked.basis.options
-        speed_percent = self._controller.motion.speed_percent
         if isinstance(content, Recording):
             replay = Replay(content, speed_percent, options.cycles, checked.outcome.profile)
             return refusal_of(self._controller.replayer.start(replay))
