@@ -6473,6 +6473,22 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>搜索</translation>
     </message>
     <message>
+        <source>text to read and edit, as the library keeps it</source>
+        <translation>可阅读和编辑的文本，轨迹库即以此保存</translation>
+    </message>
+    <message>
+        <source>for spreadsheets</source>
+        <translation>用于电子表格</translation>
+    </message>
+    <message>
+        <source>for scripts and other programs</source>
+        <translation>用于脚本和其他程序</translation>
+    </message>
+    <message>
+        <source>for another armui: a double click opens it</source>
+        <translation>给另一台 armui：双击即打开</translation>
+    </message>
+    <message>
         <source>Search in names and notes</source>
         <translation>在名称和备注中搜索</translation>
     </message>

@@ -90,5 +90,5 @@ class LibraryDriver:
 
     def export(self, suffix):
         menu = self.child("export").menu()
-        next(action for action in menu.actions() if action.text() == suffix).trigger()
+        next(action for action in menu.actions() if action.data() == suffix).trigger()
         return self.app_driver.dialog(FileDialog)

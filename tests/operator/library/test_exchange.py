@@ -33,6 +33,18 @@ def test_one_is_exported_to_the_file_that_is_named(driver, tmp_path, suffix):
     assert driver.message() == f"Exported: x{suffix}"
 
 
+def test_each_format_says_what_it_is_for_in_both_languages(driver):
+    menu = driver.child("export").menu()
+    assert [action.text() for action in menu.actions()] == [
+        ".log — text to read and edit, as the library keeps it",
+        ".csv — for spreadsheets",
+        ".json — for scripts and other programs",
+        ".armui — for another armui: a double click opens it",
+    ]
+    driver.app_driver.store.change(language="zh")
+    driver.app_driver.wait(lambda: menu.actions()[1].text() == ".csv — 用于电子表格")
+
+
 def test_several_are_exported_into_a_folder_and_write_over_nothing(driver, tmp_path):
     (tmp_path / "one.csv").write_text("mine")
     driver.choose("one", "two")

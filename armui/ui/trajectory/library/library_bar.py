@@ -63,6 +63,7 @@ class LibraryBar(HasActs, QWidget):
             layout.addWidget(button)
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
+            action.setData(suffix)
             action.triggered.connect(partial(self._on_export, suffix))
         give_menu(self._export, self._export_menu)
         layout.addWidget(self.search)
@@ -136,6 +137,14 @@ class LibraryBar(HasActs, QWidget):
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""
+        purposes = {
+            ".log": self.tr("text to read and edit, as the library keeps it"),
+            ".csv": self.tr("for spreadsheets"),
+            ".json": self.tr("for scripts and other programs"),
+            ".armui": self.tr("for another armui: a double click opens it"),
+        }
+        for action in self._export_menu.actions():
+            action.setText(f"{action.data()} — {purposes[action.data()]}")
         self.search.setPlaceholderText(self.tr("Search"))
         self.search.setAccessibleName(self.tr("Search"))
         text, key = self.tr("Search in names and notes"), key_text("library.find")
