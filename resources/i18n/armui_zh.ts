@@ -586,6 +586,22 @@
         <translation>取用户坐标系的位姿</translation>
     </message>
     <message>
+        <source>below it</source>
+        <translation>平面下方</translation>
+    </message>
+    <message>
+        <source>above it</source>
+        <translation>平面上方</translation>
+    </message>
+    <message>
+        <source>beyond it, towards {axis} of the base</source>
+        <translation>平面朝底座 {axis} 方向的一侧</translation>
+    </message>
+    <message>
+        <source>Forbidden side of the plane: {side}</source>
+        <translation>平面的禁区侧：{side}</translation>
+    </message>
+    <message>
         <source>It is off and counts for nothing. Switch it on to put it in force.</source>
         <translation>它已关闭，不起作用。打开后生效。</translation>
     </message>
@@ -1388,6 +1404,22 @@
         <translation>先询问，再删除单元及其文件。</translation>
     </message>
     <message>
+        <source>Manage</source>
+        <translation>管理</translation>
+    </message>
+    <message>
+        <source>Unfolds what is done with cells: new, rename, import, export, compare, delete.</source>
+        <translation>展开单元的管理：新建、改名、导入、导出、比较、删除。</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Unfolds the jog buttons: poses are taken without leaving the page.</source>
+        <translation>展开点动按钮：采集位姿无需离开本页。</translation>
+    </message>
+    <message>
         <source>Cell</source>
         <translation>单元</translation>
     </message>
@@ -1446,6 +1478,14 @@
     <message>
         <source>Compare the cell with another</source>
         <translation>与另一个单元比较</translation>
+    </message>
+    <message>
+        <source>Manage the cells</source>
+        <translation>管理单元</translation>
+    </message>
+    <message>
+        <source>Jog beside the cell</source>
+        <translation>在单元页点动</translation>
     </message>
     <message>
         <source>Compare with “{name}”</source>

@@ -215,10 +215,11 @@ def cell_base(app_driver: AppDriver) -> None:
 
 
 def cell_tip(app_driver: AppDriver) -> None:
-    """The tip of a tool is found by five poses, one of them left out."""
+    """The tip of a tool is found by five poses, one of them left out; the jog buttons above."""
     actions.search(app_driver)
     actions.take(app_driver, 0, 1, 2, 3, 4)
     app_driver.click("tip_use_5")
+    app_driver.click("cell_jog_button")
     app_driver.step()
 
 

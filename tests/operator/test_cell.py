@@ -4,6 +4,8 @@ import json
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from armui.cell.cell import Cell
 from armui.cell.cell_file import read_cell, to_text
@@ -177,6 +179,7 @@ def test_a_broken_import_is_refused_and_what_was_stays(panel, tmp_path):
 def test_a_cell_is_deleted_once_the_question_is_answered(panel):
     panel.type_into("cell_name", "bench")
     add_pen(panel)
+    panel.click("cell_manage_button")
     panel.click("cell_delete_button")
     assert file_of(panel, "bench").exists()
     panel.confirm()
@@ -201,6 +204,7 @@ def test_a_slow_disk_holds_nobody_and_a_failure_is_told(make_driver):
 def test_a_cell_is_renamed_with_its_file_and_for_its_arm(panel):
     panel.type_into("cell_name", "bench")
     add_pen(panel)
+    panel.click("cell_manage_button")
     panel.find("cell_name").setText("stand")
     panel.find("cell_name").textEdited.emit("stand")
     panel.click("cell_rename_button")
@@ -218,6 +222,7 @@ def test_no_file_is_overwritten_by_a_new_name(panel):
     panel.type_into("cell_name", "bench")
     theirs = to_text(Cell("stand", (PEN,), "pen"))
     file_of(panel, "stand").write_text(theirs, encoding="utf-8")
+    panel.click("cell_manage_button")
     panel.find("cell_name").setText("stand")
     panel.find("cell_name").textEdited.emit("stand")
     panel.click("cell_rename_button")
@@ -236,6 +241,7 @@ def test_it_is_compared_with_another_of_the_list(panel):
     panel.type_into("cell_name", "other")
     panel.type_into("cell_name", "bench")
     add_pen(panel)
+    panel.click("cell_manage_button")
     menu = panel.find("cell_compare_button").menu()
     menu.aboutToShow.emit()
     (other,) = menu.actions()
@@ -265,7 +271,7 @@ def test_what_went_well_is_told_in_the_status_bar_alone(panel):
     assert panel.read("cell_message") == ""
 
 
-def test_the_line_of_the_next_step_does_not_confirm_where_it_enables(make_driver):
+def test_the_cell_is_confirmed_where_enable_stands_and_a_double_click_does_not_do_both(make_driver):
     first = make_driver(Generation.TWO)
     try:
         first.ready()
@@ -281,12 +287,77 @@ def test_the_line_of_the_next_step_does_not_confirm_where_it_enables(make_driver
         button = later.find("recovery_button")
         assert button.text() == "Confirm cell"
         before = button.geometry()
-        later.click(button)
-        later.run(0.2)
-        later.wait(lambda: not button.geometry().intersects(before))
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+        QTest.mouseDClick(button, Qt.MouseButton.LeftButton)
+        later.run(0.5)
         assert button.text() == "Enable"
+        assert button.geometry().right() == before.right()
+        assert later.controller.cell.unconfirmed is None
+        assert later.controller.motors.busy is None
     finally:
         later.close()
+
+
+def test_what_is_done_with_cells_is_folded_away_while_there_is_one(panel):
+    assert panel.find("cell_name").isVisible()
+    panel.type_into("cell_name", "bench")
+    assert not panel.find("cell_name").isVisible()
+    panel.click("cell_manage_button")
+    assert panel.find("cell_rename_button").isVisible()
+    panel.click("cell_manage_button")
+    assert not panel.find("cell_delete_button").isVisible()
+
+
+def test_the_palette_unfolds_what_is_folded_away(panel):
+    panel.type_into("cell_name", "bench")
+    items = panel.window.window_actions.palette_items()
+    (delete,) = [each for each in items.now() if each.command.name == "cell.delete"]
+    assert (delete.seen, delete.reason) == (True, "")
+    items.carry_out(delete, was_seen=True)
+    assert panel.find("cell_delete_button").isVisible()
+    assert panel.controller.cell.cell == Cell("bench")
+
+
+def test_the_arm_is_jogged_beside_the_search_for_a_tip(panel):
+    panel.type_into("cell_name", "bench")
+    panel.click("cell_tool_by_points")
+    panel.click("cell_jog_button")
+    before = panel.firmware.joints_deg[0]
+    panel.click("box_plus_1")
+    panel.run(1.5)
+    assert panel.firmware.joints_deg[0] - before == pytest.approx(1.0, abs=0.1)
+    panel.click("tip_take")
+    assert "Pose 1 of at least 4 is taken" in panel.read("tip_next")
+    panel.click("cell_jog_button")
+    assert not panel.find("box_plus_1").isVisible()
+
+
+def test_a_box_of_which_no_place_is_typed_stands_in_front_of_the_arm(panel):
+    panel.type_into("cell_name", "bench")
+    panel.click("cell_tab_area")
+    panel.type_into("cell_area_name", "crate")
+    panel.click("cell_area_box")
+    (crate,) = panel.controller.cell.cell.area.boxes
+    assert crate.pose == (450.0, 0.0, 50.0, 0.0, 0.0, 0.0)
+    assert panel.find("cell_area_X").value == 450.0
+
+
+@pytest.mark.parametrize(
+    ("turned", "side"),
+    [
+        ({}, "below it"),
+        ({"RX": "180"}, "above it"),
+        ({"RY": "90"}, "beyond it, towards −X of the base"),
+        ({"RX": "90"}, "beyond it, towards +Y of the base"),
+    ],
+)
+def test_a_plane_says_which_side_is_forbidden(panel, turned, side):
+    panel.type_into("cell_name", "bench")
+    panel.click("cell_tab_area")
+    panel.type_into("cell_area_name", "wall")
+    for axis, angle in turned.items():
+        panel.type_into(f"cell_area_{axis}", angle)
+    assert panel.read("cell_area_side") == f"Forbidden side of the plane: {side}"
 
 
 @pytest.mark.styled

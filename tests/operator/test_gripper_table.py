@@ -179,6 +179,7 @@ def test_what_was_measured_and_not_applied_survives_a_new_name(bench):
     bench.click("menu_cell")
     bench.click("cell_tab_gripper")
     bench.type_into("cell_gripper_measured_1", "23.5")
+    bench.click("cell_manage_button")
     QTest.keyClicks(bench.find("cell_name"), "bench A")  # Enter would make another one
     bench.click("cell_rename_button")
     assert bench.controller.cell.cell.name == "bench A"

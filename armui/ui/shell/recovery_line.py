@@ -103,8 +103,9 @@ class RecoveryLine(Translated, QWidget):
         self._hold_button.setMinimumWidth(_BUTTON_PX)
         self._other_button = named("recovery_other_button", StepButton())
         layout = QHBoxLayout(self)
-        self._row = layout
         layout.setSpacing(_GAP_PX)
+        side = _MARGIN_PX + _GAP_PX
+        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
         layout.addWidget(self._icon)
         layout.addWidget(self._text, 1)
         layout.addWidget(self._other_button, 0, Qt.AlignmentFlag.AlignVCenter)
@@ -212,11 +213,6 @@ class RecoveryLine(Translated, QWidget):
                 "“{name}” has not started: the check has warnings. Answer them on its page."
             ).format(name=self._asking)
             self._texts = (text,)
-        side = _MARGIN_PX + _GAP_PX
-        # not in the place where Enable comes next: pressing twice there must not do both
-        confirms = step.action is Action.CONFIRM_CELL
-        right = side + (_BUTTON_PX + _GAP_PX if confirms else 0)
-        self._row.setContentsMargins(side, _TOP_PX + _PADDING_PX, right, _PADDING_PX)
         self._fit_text()
         self._text.setProperty("rank", "muted" if self._is_calm else None)
         repolish(self._text)

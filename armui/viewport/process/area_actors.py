@@ -22,6 +22,7 @@ _OPACITY: Final = 0.14
 _NEAR_OPACITY: Final = 0.26
 _PLANE_M: Final = 1.2
 _PLANE_CELLS: Final = 8
+_SPIKE_M: Final = 0.06
 _MIDDLE_M: Final = (0.0, 0.0, 0.25, 1.0)
 """The middle of where the arm works: a plane is drawn around the place on it that is nearest."""
 
@@ -90,4 +91,14 @@ def _surface(shape: AreaShape) -> pv.PolyData:
             i_resolution=_PLANE_CELLS,
             j_resolution=_PLANE_CELLS,
         )
+        places = np.array([-1.0, 0.0, 1.0]) * _PLANE_M / 3.0
+        surface = surface.merge([_spike(across + x, along + y) for x in places for y in places])
     return surface.transform(frame, inplace=False)
+
+
+def _spike(x: float, y: float) -> pv.PolyData:
+    """Return a mark on the side of a plane where the arm may not be: it points into that."""
+    at = (x, y, -_SPIKE_M / 2.0)
+    return pv.Cone(
+        center=at, direction=(0.0, 0.0, -1.0), height=_SPIKE_M, radius=_SPIKE_M / 6.0, resolution=6
+    )

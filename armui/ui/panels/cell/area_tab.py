@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, Final
 
 from PySide6.QtWidgets import QCheckBox, QLabel, QMenu
 
@@ -22,6 +22,10 @@ from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.arm import part_name
 from armui.ui.words.text import Text
+from armui.viewport.robot_shape import pose_rows
+
+_IN_FRONT: Final = (450.0, 0.0, 50.0, 0.0, 0.0, 0.0)
+"""The place of a box of which none was typed: on the table in front of the arm, in its picture."""
 
 
 class AreaTab(NamedTab):
@@ -64,6 +68,7 @@ class AreaTab(NamedTab):
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered)
         self._nearness = text_label("cell_area_nearness", rank="muted", wraps=True)
+        self._side = text_label("cell_area_side", rank="muted", wraps=True)
         self._on = named("cell_area_switch", QCheckBox())
         self._sizes = [self._figure(f"size_{edge}", 1, "mm") for edge in EDGES]
         self._margin_label = QLabel()
@@ -77,7 +82,7 @@ class AreaTab(NamedTab):
         self._lay_out(
             (self._margin_label, [self._margin]),
             beside=([self._on], ()),
-            below=[in_row((self.here, 1), (self.of_frame, 1), spacing=6)],
+            below=[self._side, in_row((self.here, 1), (self.of_frame, 1), spacing=6)],
             last=[self._stops, self._nearness],
         )
         self._on.clicked.connect(self._on_switched)
@@ -133,7 +138,12 @@ class AreaTab(NamedTab):
         on = zone is None or zone.on
         if isinstance(zone, AreaPlane):
             return AreaPlane(name, pose, on)
-        return AreaBox(name, pose, figures(self._sizes), on)
+        return self._box(on)
+
+    def _box(self, on: bool = True) -> AreaBox:
+        """Return the box as typed; one without a pose stands where it is seen."""
+        pose = figures(self._fields) if any(each.text() for each in self._fields) else _IN_FRONT
+        return AreaBox(self._name.text().strip(), pose, figures(self._sizes), on)
 
     def _on_apply(self) -> None:
         if self._thing is not None:
@@ -143,8 +153,7 @@ class AreaTab(NamedTab):
 
     def _on_add(self, act: str) -> None:
         name, pose = self._name.text().strip(), figures(self._fields)
-        sizes_mm = figures(self._sizes)
-        zone = AreaBox(name, pose, sizes_mm) if act == "box" else AreaPlane(name, pose)
+        zone = self._box() if act == "box" else AreaPlane(name, pose)
         self._change(self._put(zone), name)
 
     # -- appearance ---------------------------------------------------------------------------
@@ -201,6 +210,22 @@ class AreaTab(NamedTab):
     @of_frame.why_not
     def _why_no_frame(self) -> str:
         return "" if self._cell.frames else self.tr("The cell has no user frame yet.")
+
+    def _show_news(self) -> None:
+        super()._show_news()
+        nonsense = any(field.is_nonsense() for field in self._fields)
+        self._side.setVisible(not isinstance(self._thing, AreaBox) and not nonsense)
+        if not nonsense:
+            self._side.setText(self._forbidden(figures(self._fields)))
+
+    def _forbidden(self, pose: Sequence[float]) -> str:
+        """Return on which side of a plane the arm may not be, by the nearest axis of the base."""
+        toward = [-row for row in pose_rows(pose)[2::4]]
+        most = max(range(len(toward)), key=lambda place: abs(toward[place]))
+        axis = f"{'+' if toward[most] > 0 else '−'}{EDGES[most]}"
+        names = {"−Z": self.tr("below it"), "+Z": self.tr("above it")}
+        side = names.get(axis) or self.tr("beyond it, towards {axis} of the base").format(axis=axis)
+        return self.tr("Forbidden side of the plane: {side}").format(side=side)
 
     def _is_changed(self, typed: Thing) -> bool:
         return super()._is_changed(typed) or figures([self._margin])[0] != self._area.margin_mm

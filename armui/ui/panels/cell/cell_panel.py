@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit, QMenu
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -21,7 +21,7 @@ from armui.control.events import Event, Level
 from armui.control.operations.operation import operation_of
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.act import Act, ActFamily, HasActs
+from armui.ui.actions.act import Act, ActFamily, BoundAct, HasActs, toggle_button
 from armui.ui.actions.command import Command, Target
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
@@ -32,6 +32,7 @@ from armui.ui.panels.cell.frames_tab import FramesTab
 from armui.ui.panels.cell.gripper_tab import GripperTab
 from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
+from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, choice_button, give_menu, named
 from armui.ui.widgets.layouts import in_column, in_row, scrolled
@@ -85,7 +86,9 @@ _USES: Final = Texts("CellPanel") | {
 
 
 class CellPanel(Panel):
-    """The cell: chosen, made, confirmed, exchanged; below it a tab for each part of it.
+    """The cell: chosen and confirmed; below it a tab for each part of it, and the jog buttons.
+
+    What is seldom done with cells is folded away while there is one.
 
     Args:
         controller: The controller of the arm; it holds the cells.
@@ -122,6 +125,24 @@ class CellPanel(Panel):
         key="cell.compare",
         title=Text("CellPanel", "Compare the cell with another"),
     )
+    manage = Act(
+        "Manage",
+        named="cell_manage_button",
+        tip="Unfolds what is done with cells: new, rename, import, export, compare, delete.",
+        whose=True,
+        key="cell.manage",
+        title=Text("CellPanel", "Manage the cells"),
+        kind=toggle_button,
+    )
+    jog = Act(
+        "Jog",
+        named="cell_jog_button",
+        tip="Unfolds the jog buttons: poses are taken without leaving the page.",
+        whose=True,
+        key="cell.jog",
+        title=Text("CellPanel", "Jog beside the cell"),
+        kind=toggle_button,
+    )
 
     def __init__(self, controller: ArmController, preferences: SettingsStore) -> None:
         super().__init__(controller, "cell_message")
@@ -137,6 +158,9 @@ class CellPanel(Panel):
         self._group = QButtonGroup(self)
         self._stack_of_tabs = CurrentStack()
         self._tabs: dict[int, CellTab] = {}
+        self._managing = QWidget()
+        self._jog_place = QWidget()
+        self._jog_box: JogBox | None = None
         self._lay_out()
         self._choice.activated.connect(self._on_chosen)
         self._name.returnPressed.connect(self._on_new)
@@ -151,31 +175,48 @@ class CellPanel(Panel):
         confirm, new, rename, *files, delete = self.buttons.values()
         for button in (confirm, new, rename):
             button.setMinimumWidth(_NARROW_PX)
-        head = in_row(self._title, (self._choice, 1), confirm, spacing=8)
+        head = in_row(self._title, (self._choice, 1), confirm, self.manage, spacing=8)
         names = in_row(self._name_label, (self._name, 1), new, rename, spacing=6)
         kept = in_row(*((each, 1) for each in (*files, self.compare, delete)), spacing=6)
+        in_column(names, kept, on=self._managing, spacing=8, margins=0)
         choice = in_row(spacing=6)
         for place, tab in enumerate(TABS):
             tab_button = choice_button(f"cell_tab_{tab.key}")
             self._group.addButton(tab_button, place)
             tab_button.setProperty("tight", True)
             choice.addWidget(tab_button, 1)
+        choice.addStretch(1)
+        choice.addWidget(self.jog)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self._show_tab)
         card = QFrame()
         in_column(self._stack_of_tabs, on=card, spacing=8, margins=(16, 12, 16, 12))
         self._card = scrolled(card)
-        self._stack(names, kept, choice, self._card, head=head, gap_px=8)
+        in_column(on=self._jog_place, margins=0)
+        self._jog_place.hide()
+        self._stack(self._managing, choice, self._jog_place, self._card, head=head, gap_px=8)
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         places = enumerate(TABS)
         tabs = {f"cell.tab_{kind.key}": self._group.button(place) for place, kind in places}
-        return {**super().command_targets(), "cell.choose": self._choice, **tabs}
+        acts = super().command_targets().items()
+        shown = {name: self.manage if self._is_folded(each) else each for name, each in acts}
+        return {**shown, "cell.choose": self._choice, **tabs}
 
     def act_parts(self) -> Iterable[HasActs]:
         """Return the tabs that were made."""
         return self._tabs.values()
+
+    def act_of(self, command: str) -> BoundAct | None:
+        """Return the act of a command; of one that is folded away the act that unfolds it."""
+        targets = super().command_targets()
+        folded = command in targets and self._is_folded(targets[command])
+        return BoundAct(CellPanel.manage, self) if folded else super().act_of(command)
+
+    def _is_folded(self, target: Target) -> bool:
+        inside = isinstance(target, QWidget) and self._managing.isAncestorOf(target)
+        return inside and self._managing.isHidden()
 
     def _tab(self) -> CellTab:
         """Return the chosen tab; it is made when it is first wanted: all six would take 0.1 s."""
@@ -192,6 +233,20 @@ class CellPanel(Panel):
         return tab if isinstance(tab, AreaTab) else None
 
     # -- actions ------------------------------------------------------------------------------
+
+    @manage.pressed
+    def _on_manage(self) -> None:
+        self._show_managing()
+
+    @jog.pressed
+    def _on_jog(self) -> None:
+        """Show or hide the jog buttons; hidden ones move nothing."""
+        layout = self._jog_place.layout()
+        if self._jog_box is None and layout is not None:
+            self._jog_box = JogBox(self._controller)
+            self._jog_box.refused.connect(self._accepted)
+            layout.addWidget(self._jog_box)
+        self._jog_place.setVisible(self.jog.isChecked())
 
     @buttons.pressed
     def _on_pressed(self, name: str) -> None:
@@ -359,6 +414,7 @@ class CellPanel(Panel):
     def _show_all(self) -> None:
         self._show_cells()
         self.show_acts()
+        self._show_managing()
         why_not = words.why_not(self._why_not_change())
         self._stack_of_tabs.setCurrentWidget(self._tab())
         self._tab().show_cell(why_not)
@@ -382,6 +438,10 @@ class CellPanel(Panel):
         self._choice.setEnabled(not why_not)
         use = self.tr("Puts another cell in force, or none; that confirms it, too.")
         self._choice.setToolTip(why_not or use)
+
+    def _show_managing(self) -> None:
+        """Show what is done with cells while it is unfolded, or there is no cell to work on."""
+        self._managing.setVisible(self.manage.isChecked() or self._controller.cell.cell is None)
 
     @buttons.why_not
     def _why_not_press(self, name: str) -> Refusal | str | None:
