@@ -4461,6 +4461,17 @@
     </message>
 </context>
 <context>
+    <name>ForceTab</name>
+    <message>
+        <source>“{name}” is added, and nothing else has changed. Choose it above to put it in force.</source>
+        <translation>已添加“{name}”，其他都没有改变。在上方选择它后才生效。</translation>
+    </message>
+    <message>
+        <source>Press Add. It is in force once it is chosen above.</source>
+        <translation>请按“添加”。在上方选择后才生效。</translation>
+    </message>
+</context>
+<context>
     <name>FrameByPoints</name>
     <message>
         <source>Takes the measured place of the tool; nothing moves.</source>
@@ -4960,20 +4971,12 @@ Z 轴指向 {direction}</translation>
         <translation>坐标系</translation>
     </message>
     <message>
-        <source>Press Add. It is in force once it is chosen above.</source>
-        <translation>请按“添加”。在上方选择后该坐标系才生效。</translation>
-    </message>
-    <message>
         <source>The frame&apos;s own pose, in the base (mm, °)</source>
         <translation>该坐标系在基坐标系中的位姿（mm、°）</translation>
     </message>
     <message>
         <source>From the present tool pose</source>
         <translation>取当前末端位姿</translation>
-    </message>
-    <message>
-        <source>“{name}” is added; poses are shown and typed as before. Choose it above to have them shown and typed in it.</source>
-        <translation>已添加“{name}”，位姿仍按原坐标系显示和输入。在上方选择它后，位姿即按它显示和输入。</translation>
     </message>
 </context>
 <context>
@@ -14470,10 +14473,6 @@ Before: {before}</source>
         <translation>工具胶囊体的半径</translation>
     </message>
     <message>
-        <source>Adds a tool of this name and chooses it.</source>
-        <translation>添加以此命名的工具并选择它。</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>半径</translation>
     </message>
@@ -14488,6 +14487,10 @@ Before: {before}</source>
     <message>
         <source>Puts these figures in the place of those of the chosen tool.</source>
         <translation>用这些数值取代所选工具的数值。</translation>
+    </message>
+    <message>
+        <source>Adds a tool of this name; it is in force once it is chosen.</source>
+        <translation>添加该名称的工具；选择后才生效。</translation>
     </message>
     <message>
         <source>Type it</source>
@@ -14528,10 +14531,6 @@ Before: {before}</source>
     <message>
         <source>Type a name for the tool and what is known of it, then press Add.</source>
         <translation>请输入工具的名称和已知的数值，再按“添加”。</translation>
-    </message>
-    <message>
-        <source>Press Add: the tool is chosen, and its tip is what moves from then on.</source>
-        <translation>请按“添加”：工具即被选用，从此运动的是它的尖端。</translation>
     </message>
     <message>
         <source>Find the tip by points</source>

@@ -14,6 +14,7 @@ from armui.control.motion.steered_path import SteeredJog
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.running.preflight import CheckBasis
 from tests.accepted import accepted
 from tests.control.jogger import bend, hold, release, rest_s
@@ -145,12 +146,24 @@ def test_the_log_names_the_axis_with_its_frame_and_the_frame_of_what_was_sent(ri
 
 
 def test_another_shown_frame_leaves_a_check_valid_and_another_place_does_not(rig):
+    """The place of a frame counts for those points alone that name it."""
     in_force(rig)
     cells = rig.controller.cell
-    basis = CheckBasis.of(rig.controller, RunOptions())
+    pose = (300.0, 0.0, 250.0, 0.0, 85.0, 0.0)
+    contents = [
+        Trajectory("t", points=(Waypoint(MoveMode.MOVE_P, pose, frame=frame),))
+        for frame in ("ramp", "")
+    ]
+
+    def bases():
+        return [CheckBasis.of(rig.controller, RunOptions(), each) for each in contents]
+
+    def why_others():
+        pairs = zip(before, bases(), strict=True)
+        return [one.why_other(now) and one.why_other(now).code for one, now in pairs]
+
+    before = bases()
     accepted(cells.change(replace(BENCH, frame="")))
-    assert basis.why_other(CheckBasis.of(rig.controller, RunOptions())) is None
+    assert why_others() == [None, None]
     accepted(cells.change(replace(BENCH, frames=(UserFrame("ramp"),))))
-    assert basis.why_other(CheckBasis.of(rig.controller, RunOptions())).code == (
-        "changed_since_check"
-    )
+    assert why_others() == ["changed_since_check", None]

@@ -134,6 +134,9 @@ def cell(app_driver: AppDriver) -> None:
     for name, text in (("name", "pen"), ("Z", "120"), ("radius", "15")):
         app_driver.type_into(f"cell_tool_{name}", text)
     app_driver.click("cell_tool_add")
+    box = app_driver.find("cell_tool")
+    box.setCurrentIndex(1)
+    box.activated.emit(1)
     app_driver.type_into("cell_tool_X", "12.5")
     app_driver.step()
 

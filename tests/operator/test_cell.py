@@ -40,6 +40,7 @@ def add_pen(driver):
     driver.type_into("cell_tool_Z", "120")
     driver.type_into("cell_tool_radius", "15")
     driver.click("cell_tool_add")
+    choose(driver, "cell_tool", 1)
 
 
 def test_a_cell_and_a_tool_are_made_and_hold_at_once(panel):
@@ -53,6 +54,19 @@ def test_a_cell_and_a_tool_are_made_and_hold_at_once(panel):
     assert panel.store.settings.cells == {panel.device.arm_key(): "bench"}
     panel.click("menu_cartesian")
     assert panel.read("point_label") == "Tool centre point: pen"
+
+
+def test_a_tool_that_is_added_is_in_force_once_it_is_chosen(panel):
+    panel.type_into("cell_name", "bench")
+    panel.type_into("cell_tool_name", "pen")
+    assert "in force once it is chosen" in panel.read("cell_tool_next")
+    panel.type_into("cell_tool_Z", "120")
+    panel.click("cell_tool_add")
+    assert panel.controller.cell.cell.tool == ""
+    assert panel.controller.cartesian.tool == (0.0,) * 6
+    assert "“pen” is added" in panel.read("cell_tool_next")
+    choose(panel, "cell_tool", 1)
+    assert panel.controller.cartesian.tool == PEN.pose
 
 
 def test_the_figures_are_applied_by_a_press_and_no_sooner(panel):

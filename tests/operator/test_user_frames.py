@@ -79,7 +79,7 @@ def test_each_sentence_leads_to_the_next_and_the_last_press_takes_it(app_driver)
     (frame,) = app_driver.controller.cell.cell.frames
     assert (frame.name, app_driver.controller.cartesian.frame) == ("Frame 1", None)
     assert frame.pose == pytest.approx(WORK, abs=0.05)
-    assert "“Frame 1” is added; poses are shown and typed as before" in app_driver.read(
+    assert "“Frame 1” is added, and nothing else has changed" in app_driver.read(
         "frame_points_next"
     )
     choose(app_driver, "cell_frame", 1)
@@ -178,7 +178,7 @@ def test_a_frame_is_typed_renamed_taken_from_the_tool_and_deleted(app_driver):
     cells = app_driver.controller.cell
     assert cells.cell.frames == (UserFrame("jig", (300.0, 0.0, 50.0, 0.0, 0.0, 90.0)),)
     said = app_driver.read("cell_frame_next")
-    assert "“jig” is added; poses are shown and typed as before. Choose it above" in said
+    assert "“jig” is added, and nothing else has changed. Choose it above" in said
     assert cells.cell.frame == ""
     choose(app_driver, "cell_frame", 1)
     assert cells.cell.frame == "jig"

@@ -67,7 +67,7 @@ def test_a_check_made_for_the_other_zeros_is_outdated(rig):
     arm = arm_model(rig.controller)
     request = CheckRequest(Trajectory("t", points=(to(OUT),)), arm, start_deg(rig.controller))
     outcome = check(request)
-    basis = CheckBasis.of(rig.controller, RunOptions())
+    basis = CheckBasis.of(rig.controller, RunOptions(), request.content)
     assert Preflight(request, outcome, basis).why_outdated(rig.controller, basis.options) is None
     todays = replace(arm, kinematics=Kinematics(model_data().geometry))
     outdated = Preflight(request, outcome, replace(basis, arm=todays))

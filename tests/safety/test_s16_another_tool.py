@@ -38,7 +38,9 @@ def test_a_check_made_with_another_tool_is_outdated(rig, other):
     arm = arm_model(rig.controller)
     assert (arm.tip_mm, arm.tool.radius_mm) == ((0.0, 0.0, 100.0), 10.0)
     request = CheckRequest(Trajectory("t", points=(to(OUT),)), arm, start_deg(rig.controller))
-    checked = Preflight(request, check(request), CheckBasis.of(rig.controller, options))
+    checked = Preflight(
+        request, check(request), CheckBasis.of(rig.controller, options, request.content)
+    )
     assert checked.why_outdated(rig.controller, options) is None
     accepted(rig.controller.cell.change(OTHERS[other]))
     assert checked.why_outdated(rig.controller, options).reason == CHANGED_SINCE_CHECK

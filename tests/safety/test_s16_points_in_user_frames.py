@@ -43,7 +43,7 @@ def checked(rig, *points):
     """What 检查 hands to a run."""
     arm = arm_model(rig.controller)
     order = CheckRequest(Trajectory("t", points=points), arm, start_deg(rig.controller))
-    return Preflight(order, check(order), CheckBasis.of(rig.controller, OPTIONS))
+    return Preflight(order, check(order), CheckBasis.of(rig.controller, OPTIONS, order.content))
 
 
 def end_of(rig):

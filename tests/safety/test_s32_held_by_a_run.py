@@ -35,7 +35,7 @@ def checked(rig, *points, cycles=1):
         area=rig.controller.area_guard.check(),
         carried=carried_by(rig.controller, content),
     )
-    return Preflight(order, check(order), CheckBasis.of(rig.controller, OPTIONS))
+    return Preflight(order, check(order), CheckBasis.of(rig.controller, OPTIONS, content))
 
 
 def too_near(rig, *points, cycles=1):

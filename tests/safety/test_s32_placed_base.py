@@ -104,7 +104,9 @@ def test_a_check_made_with_the_base_elsewhere_is_outdated(rig):
     arm = arm_model(rig.controller)
     assert arm.rising == ON_THE_FLOOR.rising
     request = CheckRequest(Trajectory("t", points=(to(OUT),)), arm, start_deg(rig.controller))
-    checked = Preflight(request, check(request), CheckBasis.of(rig.controller, options))
+    checked = Preflight(
+        request, check(request), CheckBasis.of(rig.controller, options, request.content)
+    )
     assert checked.why_outdated(rig.controller, options) is None
     accepted(rig.controller.cell.change(placed(bench, ASLANT)))
     assert checked.why_outdated(rig.controller, options).reason == CHANGED_SINCE_CHECK

@@ -24,20 +24,13 @@ from armui.kinematics.poses import pose_to_matrix, tool_pose
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered
+from armui.ui.panels.cell.named_tab import ADDED
 from armui.ui.panels.cell.point_search import PointSearch, Pose
 from armui.ui.widgets.buttons import caption, enable_or_explain, push_button, show_primary
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.text import Text
 
 _POINTS: Final = 3
-
-ADDED: Final = Text(
-    "FramesTab",
-    "“{name}” is added; poses are shown and typed as before. Choose it above to have them shown "
-    "and typed in it.",
-)
-"""What is said of a frame that was added, and is not in force."""
 
 
 class FrameByPoints(PointSearch):

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from armui.arm.state import ArmState
-from armui.cell.cell import Cell
 from armui.cell.placement import WORLD
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import Answered, figures
-from armui.ui.panels.cell.frame_by_points import ADDED, FrameByPoints
+from armui.ui.panels.cell.frame_by_points import FrameByPoints
 from armui.ui.panels.cell.named_tab import ForceTab, NamedTab, TabTexts, Thing
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -46,7 +44,6 @@ class FramesTab(ForceTab):
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered, FrameByPoints(controller, answered))
-        self._added = ""
         self._of_base = text_label("cell_frame_of_base", rank="muted", wraps=True)
         self._lay_out(below=[self._of_base, self.here])
         self.retranslate_ui()
@@ -58,20 +55,6 @@ class FramesTab(ForceTab):
     @property
     def _things(self) -> Sequence[Thing]:
         return self._cell.all_frames
-
-    def _put(self, thing: UserFrame, instead_of: str = "") -> Cell:
-        """Return the cell with it; a new one is not in force: figures everywhere would jump."""
-        cell = super()._put(thing, instead_of)
-        return cell if instead_of else replace(cell, frame=self._cell.frame)
-
-    def _change(self, cell: Cell, chosen: str) -> None:
-        before = {frame.name for frame in self._things}
-        super()._change(cell, chosen)
-        added = [frame.name for frame in self._things if frame.name not in before]
-        self._added = next((name for name in added if name != self._chosen), "")
-        if self._added:
-            self._fill(self._thing)
-            self._show_news()
 
     def _fixed(self) -> str:
         if self._chosen != WORLD:
@@ -95,12 +78,8 @@ class FramesTab(ForceTab):
         return "" if known else self.tr("The arm has not reported its pose yet.")
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
-        if self._added and not new and not changed:
-            return ADDED.text().format(name=self._added)
         if self._fixed() and not new:
             return self._fixed()
-        if new and self._thing is None:
-            return self.tr("Press Add. It is in force once it is chosen above.")
         if new:
             return self.tr("Press Add for a further frame, or Apply to rename the chosen one.")
         if self._thing is None:

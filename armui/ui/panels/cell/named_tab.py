@@ -46,6 +46,11 @@ _LABELS: Final = {
     "box": Text("AreaTab", "Add box"),
     "delete": Text("NamedTab", "Delete"),
 }
+ADDED: Final = Text(
+    "ForceTab",
+    "“{name}” is added, and nothing else has changed. Choose it above to put it in force.",
+)
+"""What is said of a tool or frame that was added, and is not in force."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -354,7 +359,11 @@ class NamedTab(CellTab):
         self.show_acts()
         typed = self.typed()
         new, changed = self._is_new(typed), self._is_changed(typed)
-        self._next.setText(self._no_step() or self._next_step(new=new, changed=changed))
+        self._next.setText(self._no_step() or self._guidance(new=new, changed=changed))
+
+    def _guidance(self, *, new: bool, changed: bool) -> str:
+        """Return what is said of the next step."""
+        return self._next_step(new=new, changed=changed)
 
     def _is_new(self, typed: Thing) -> bool:
         """Return whether the name typed is that of none yet."""
@@ -406,7 +415,13 @@ class NamedTab(CellTab):
 
 
 class ForceTab(NamedTab):
-    """A list of which the one that is chosen is in force: of tools, of user frames."""
+    """A list of which the one that is chosen is in force: of tools, of user frames.
+
+    A new one is not, as figures everywhere, and what moves, would jump: it is said how it gets so.
+    """
+
+    _added = ""
+    """The name of the one that was added last, and is not in force."""
 
     @property
     def _things(self) -> Sequence[Thing]:
@@ -417,8 +432,31 @@ class ForceTab(NamedTab):
         return getattr(self._cell, self.part)  # type: ignore[no-any-return]
 
     def _choose(self, name: str) -> None:
+        self._change(self._with_force(self._cell, name), "")
+
+    def _with_force(self, cell: Cell, name: str) -> Cell:
         changed: dict[str, Any] = {self.part: name}
-        self._change(replace(self._cell, **changed), "")
+        return replace(cell, **changed)
+
+    def _put(self, thing: Any, instead_of: str = "") -> Cell:
+        cell = super()._put(thing, instead_of)
+        return cell if instead_of else self._with_force(cell, self._chosen)
+
+    def _change(self, cell: Cell, chosen: str) -> None:
+        before, self._added = {thing.name for thing in self._things}, ""
+        super()._change(cell, chosen)
+        added = [thing.name for thing in self._things if thing.name not in before]
+        self._added = next((name for name in added if name != self._chosen), "")
+        if self._added:
+            self._fill(self._thing)
+            self._show_news()
+
+    def _guidance(self, *, new: bool, changed: bool) -> str:
+        if self._added and not new and not changed:
+            return ADDED.text().format(name=self._added)
+        if new and self._thing is None:
+            return self.tr("Press Add. It is in force once it is chosen above.")
+        return super()._guidance(new=new, changed=changed)
 
     def show_cell(self, why_not: str) -> None:
         """Show the chosen cell; another one is chosen only while it may be changed."""

@@ -47,6 +47,12 @@ class ToolsTab(ForceTab):
         """Return the tool as typed; an empty field counts as 0, a text as itself."""
         return Tool(self._name.text().strip(), figures(self._fields), *figures([self._radius]))
 
+    def _take_found(self, pose: tuple[float, ...], anew: bool) -> None:
+        """Put a tip that was found in force, as the button says."""
+        super()._take_found(pose, anew)
+        if self._added:
+            self._choose(self._added)
+
     def _fill(self, thing: Any) -> None:
         super()._fill(thing)
         self._radius.show_value(None if thing is None else thing.radius_mm)
@@ -59,8 +65,6 @@ class ToolsTab(ForceTab):
         self._capsule.setText(text.format(length=fmt.number(length, 1)))
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
-        if new and self._thing is None:
-            return self.tr("Press Add: the tool is chosen, and its tip is what moves from then on.")
         if new:
             return self.tr("Press Add for a further tool, or Apply to rename the chosen one.")
         if self._thing is None:
@@ -77,7 +81,7 @@ class ToolsTab(ForceTab):
             none=self.tr("— (bare flange)"),
             missing=self.tr("No tool is chosen. Add one, or choose one above."),
             apply=self.tr("Puts these figures in the place of those of the chosen tool."),
-            add=[self.tr("Adds a tool of this name and chooses it.")],
+            add=[self.tr("Adds a tool of this name; it is in force once it is chosen.")],
             delete=self.tr("Deletes the chosen tool; the bare flange is chosen then."),
         )
 

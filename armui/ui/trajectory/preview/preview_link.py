@@ -443,9 +443,10 @@ class PreviewLink(QObject):
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
         """Show points where their frames are now; a path that was checked elsewhere is none."""
-        frames = frames_of(cell)
+        now = frames_of(cell)
         for page, checked in tuple(self._checked.items()):
-            if checked.outcome.as_checked is not None and dict(checked.order.arm.frames) != frames:
+            moved = any(now.get(name) != pose for name, pose in checked.order.arm.frames)
+            if checked.outcome.as_checked is not None and moved:
                 self._take(page, None)
         if self._page is not None and self._page not in self._checked:
             self._show_points()

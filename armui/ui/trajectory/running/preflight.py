@@ -61,7 +61,8 @@ class CheckBasis:
 
     Attributes:
         mark: The arm and the connection.
-        arm: The arm's data for planning: limits, geometry and zeros, tool, gripper.
+        arm: The arm's data for planning: limits, geometry and zeros, tool, gripper; of the user
+            frames only those that the content's points name.
         alterations: The number of settings that this program had made by then, loads included.
         options: The operator's options.
         cell: The cell: its work area, and what the arm carries.
@@ -78,11 +79,13 @@ class CheckBasis:
     lowest_mm: float | None = None
 
     @classmethod
-    def of(cls, controller: ArmController, options: RunOptions) -> CheckBasis:
-        """Return the present conditions."""
+    def of(cls, controller: ArmController, options: RunOptions, content: Content) -> CheckBasis:
+        """Return the present conditions for a content: frames that it does not name are none."""
         arm, altered = arm_model(controller), controller.transactions.alterations
+        names = () if isinstance(content, Recording) else frames_in(content.points)
+        arm = replace(arm, frames=tuple(each for each in arm.frames if each[0] in names))
         cell = controller.cell.cell
-        shown_in_base = None if cell is None else replace(cell, frame="")  # which moves nothing
+        shown_in_base = None if cell is None else replace(cell, frame="", frames=())
         waits = controller.cell.unconfirmed
         lowest_mm = controller.jog_floor.lowest_mm
         return cls(controller.mark, arm, altered, options, shown_in_base, waits, lowest_mm)
@@ -122,9 +125,7 @@ class Preflight:
     @property
     def fingerprint(self) -> str:
         """What of the arm it holds for: moving a frame that no point names changes nothing."""
-        content = self.order.content
-        frames = () if isinstance(content, Recording) else frames_in(content.points)
-        return self.order.arm.fingerprint_of(frames)
+        return self.order.arm.fingerprint
 
     @property
     def path(self) -> PlannedPath:
@@ -163,7 +164,7 @@ class Preflight:
         moved_deg = max(abs(there - here) for there, here in pairs)
         if moved_deg > _SAME_PLACE_DEG:
             return MOVED_SINCE_CHECK(value=f"{moved_deg:.1f}")
-        return self.basis.why_other(CheckBasis.of(controller, options))
+        return self.basis.why_other(CheckBasis.of(controller, options, self.order.content))
 
 
 def carried_by(controller: ArmController, content: Content) -> dict[str, Carried]:
@@ -207,7 +208,7 @@ class Checks:
             options: The options of the run.
             then: Receives the :class:`Preflight`, or why there is none, in this thread.
         """
-        basis = CheckBasis.of(self._controller, options)
+        basis = CheckBasis.of(self._controller, options, content)
         order = CheckRequest(
             content,
             basis.arm,
