@@ -4520,8 +4520,8 @@ Z 轴指向 {direction}</translation>
         <translation>“{name}”已生效：在“末端控制”中按“− / + 方向”旁它的按钮，即可沿它点动。</translation>
     </message>
     <message>
-        <source>Jog the tool&apos;s tip to what becomes the origin (Motion control or Cartesian, or the arm by hand), come back and press Origin.</source>
-        <translation>把工具尖点动到将作为原点的位置（用“运动控制”或“末端控制”，也可用手拖动），回到此处按“原点”。</translation>
+        <source>Bring the tool&apos;s tip to what becomes the origin (by Jog above, or lead the arm by hand), and press Origin.</source>
+        <translation>把工具尖端移到将作为原点的位置（用上方的“点动”或用手拖动机械臂），再按“原点”。</translation>
     </message>
     <message>
         <source>Jog the tip along what becomes the X axis, as far as you can; press On +X.</source>
@@ -6875,10 +6875,6 @@ Lamps give no feedback: this is only what will be sent.</source>
 <context>
     <name>LinkagePanel</name>
     <message>
-        <source>The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys no command and sends its own to the following arm.</source>
-        <translation>机械臂将成为示教输入臂：停止上报反馈，可用手拖动，不响应控制指令，并向从臂发送指令。</translation>
-    </message>
-    <message>
         <source>The arm becomes, or stays, a motion output arm. The program listens and talks on the identifiers that the offsets lead to.</source>
         <translation>机械臂将成为（或保持为）运动输出臂。程序将按偏移后的 ID 收发报文。</translation>
     </message>
@@ -6895,8 +6891,8 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>确认</translation>
     </message>
     <message>
-        <source>Says what will change, and asks first.</source>
-        <translation>执行前会说明改变的内容并询问。</translation>
+        <source>The arm becomes a teaching input and goes deaf: it obeys no command, not even the emergency stop; only cutting its power stops it. Its feedback ends, it can be led by hand and sends its own commands to the following arm.</source>
+        <translation>机械臂成为示教输入臂后不再听任何指令，急停也无效，只有切断电源才能使它停止。它不再反馈，可用手拖动，并向跟随的机械臂发送自己的指令。</translation>
     </message>
     <message>
         <source>In use: —</source>
@@ -6949,6 +6945,10 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Back to a motion output arm without offsets</source>
         <translation>恢复为运动输出臂（不偏移）</translation>
+    </message>
+    <message>
+        <source>Says what will change, and asks first.</source>
+        <translation>先说明会改变什么，并询问。</translation>
     </message>
     <message>
         <source>The arm cannot be asked for this setting: armui uses the IDs it hears.</source>
@@ -14329,10 +14329,6 @@ The other program must have ended.</source>
         <translation>姿态尚未采集。</translation>
     </message>
     <message>
-        <source>Fix a sharp point in front of the arm. Jog the tool&apos;s tip onto it (Motion control or Cartesian, or lead the arm by hand), come back and press Take pose.</source>
-        <translation>在机械臂前固定一个尖点。把工具尖端点动到它上面（“运动控制”、“末端控制”，或用手拖动），回到此处按“采集位姿”。</translation>
-    </message>
-    <message>
         <source>Compare what was found with what was, then press Apply the tip.</source>
         <translation>请比较求得的与原有的，再按“应用尖端”。</translation>
     </message>
@@ -14355,6 +14351,10 @@ The other program must have ended.</source>
     <message>
         <source>On the shank</source>
         <translation>杆部</translation>
+    </message>
+    <message>
+        <source>Fix a sharp point in front of the arm. Bring the tool&apos;s tip onto it (by Jog above, or lead the arm by hand), and press Take pose.</source>
+        <translation>在机械臂前固定一个尖点，把工具尖端移到它上面（用上方的“点动”或用手拖动机械臂），再按“采集位姿”。</translation>
     </message>
     <message>
         <source>it points along {axis} of “{name}”</source>

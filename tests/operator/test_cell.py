@@ -346,6 +346,24 @@ def test_the_arm_is_jogged_beside_the_search_for_a_tip(panel):
     assert not panel.find("box_plus_1").isVisible()
 
 
+@pytest.mark.parametrize(
+    ("tab", "way", "take"),
+    [
+        ("tools", "cell_tool_by_points", "tip_take"),
+        ("frames", "cell_frame_by_points", "frame_take_1"),
+    ],
+)
+def test_without_a_cell_no_pose_is_taken(panel, tab, way, take):
+    panel.click(f"cell_tab_{tab}")
+    panel.click(way)
+    button = panel.find(take)
+    assert (button.isEnabled(), button.toolTip()) == (False, NO_CELL)
+    assert not button.property("primary")
+    panel.type_into("cell_name", "bench")
+    panel.run_until(button.isEnabled)
+    assert button.property("primary")
+
+
 def test_a_box_of_which_no_place_is_typed_stands_in_front_of_the_arm(panel):
     panel.type_into("cell_name", "bench")
     panel.click("cell_tab_area")

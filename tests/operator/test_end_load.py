@@ -47,10 +47,14 @@ def test_a_load_is_told_and_answered(load, name, code):
 
 @ONE_IS_ENOUGH
 def test_without_a_choice_nothing_is_sent(load):
-    load.click("load_confirm_button")
+    confirm = load.find("load_confirm_button")
+    assert not confirm.isEnabled()
+    assert confirm.toolTip() == "No end load is chosen. Choose one first."
+    load.click(confirm)
     load.run(0.2)
     assert sent(load) == []
-    assert message(load) == "No end load is chosen. Choose one first."
+    load.click("load_empty")
+    assert confirm.isEnabled()
 
 
 @ONE_IS_ENOUGH

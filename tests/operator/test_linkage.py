@@ -52,8 +52,12 @@ def test_a_teaching_input_is_explained_and_led_back(link):
     assert not link.find("linkage_back_button").isVisible()
     link.click("linkage_input")
     link.click("linkage_confirm_button")
-    assert "its feedback ends" in link.dialog(ConfirmDialog).text()
-    link.confirm()
+    text = link.dialog(ConfirmDialog).text()
+    assert "goes deaf: it obeys no command, not even the emergency stop" in text
+    link.hold(0.9)
+    link.run(0.2)
+    assert sent(link) == []
+    link.hold()
     link.run_until(lambda: link.find("linkage_back_button").isVisible())
     assert "is a teaching input" in link.read("linkage_teaching_input")
     assert link.read("linkage_in_use") == "In use: —"

@@ -108,12 +108,16 @@ def test_send_is_lit_while_there_is_something_to_send(panel, controller, qtbot):
     assert texts(panel) == ["0.000"] * 6
 
 
-def test_loaded_angles_stay(panel, controller, qtbot):
+def test_angles_taken_are_no_targets(panel, controller, qtbot):
+    """An arm that somebody else moves then is not sent back by Send."""
     controller.be_ready(ANGLES)
+    type_into(qtbot, field(panel, 1), "12")
     qtbot.mouseClick(push(panel, "load_button"), LEFT)
-    controller.hear(arm_state((11.0,) * 6, sequence=2))
     assert texts(panel)[0] == "10.000"
-    assert push(panel, "send_button").property("primary")
+    controller.hear(arm_state((11.0,) * 6, sequence=2))
+    assert texts(panel)[0] == "11.000"
+    assert not any(panel.given())
+    assert not push(panel, "send_button").property("primary")
 
 
 def test_fields_with_no_figure_are_not_sent(panel, controller, qtbot):

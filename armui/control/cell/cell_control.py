@@ -428,7 +428,8 @@ class CellControl(ControllerPart):
         """
         context = self._context
         now = context.operating_state()
-        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
+        none = CELL_NONE() if self.cell is None else None
+        unknown = none or why_unreachable(now.link) or self._cartesian.why_unknown()
         if unknown is not None:
             return unknown
         state, now_s = context.state(), context.clock()

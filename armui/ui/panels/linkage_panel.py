@@ -8,16 +8,17 @@ from typing import Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel
 
+from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.devices.linkage import LinkageControl
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
+from armui.control.operations.started import Started
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import LinkageRole
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
-from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import (
     caption,
@@ -114,8 +115,9 @@ class LinkagePanel(Panel):
         becomes_input = chosen[0] is LinkageRole.TEACHING_INPUT
         what = (
             self.tr(
-                "The arm becomes a teaching input: its feedback ends, it can be led by hand, obeys "
-                "no command and sends its own to the following arm."
+                "The arm becomes a teaching input and goes deaf: it obeys no command, not even "
+                "the emergency stop; only cutting its power stops it. Its feedback ends, it can "
+                "be led by hand and sends its own commands to the following arm."
             )
             if becomes_input
             else self.tr(
@@ -128,13 +130,11 @@ class LinkagePanel(Panel):
             "arm keeps it when switched off. It takes effect in standby, or after a power "
             "cycle."
         )
-        confirm(
-            self.window(),
-            self._controller,
-            title=self.tr("Set the linkage"),
-            text=f"{what}\n{rest}",
-            action_label=self.tr("Confirm"),
-            on_confirmed=partial(self._set, *chosen),
+        self._ask_to_hold(
+            self.tr("Set the linkage"),
+            f"{what}\n{rest}",
+            self.tr("Confirm"),
+            partial(self._set, *chosen),
             still=lambda: self._chosen() == chosen,
         )
 
@@ -143,15 +143,9 @@ class LinkagePanel(Panel):
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
         return LinkageRole(self._roles.checkedId()), offsets
 
-    def _set(self, role: LinkageRole, offsets: dict[str, int]) -> None:
-        self._accepted(
-            self._controller.linkage.set(
-                role,
-                feedback_offset=offsets["feedback"],
-                control_offset=offsets["control"],
-                target_offset=offsets["target"],
-            )
-        )
+    def _set(self, role: LinkageRole, offsets: dict[str, int]) -> Started | Refusal:
+        named = {f"{name}_offset": offset for name, offset in offsets.items()}
+        return self._controller.linkage.set(role, **named)
 
     # -- appearance ---------------------------------------------------------------------------
 

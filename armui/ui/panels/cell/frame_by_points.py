@@ -121,7 +121,8 @@ class FrameByPoints(PointSearch):
         found = self.found()
         missing = next((place for place in range(_POINTS) if self._points[place] is None), _POINTS)
         for place, (button, label) in enumerate(zip(self._takes, self._places, strict=True)):
-            show_primary(button, wanted=place == missing)
+            wanted = place == missing and self._controller.cell.cell is not None
+            show_primary(button, wanted=wanted)
             label.setText(self._place_text(self._points[place]))
         reason = words.refusal(found) if isinstance(found, Refusal) else ""
         reason = reason or ("" if found is not None else self.tr("Not all points are taken yet."))
@@ -185,8 +186,8 @@ class FrameByPoints(PointSearch):
             ).format(name=taken.name)
         steps: tuple[Callable[[], str], ...] = (
             lambda: self.tr(
-                "Jog the tool's tip to what becomes the origin (Motion control or Cartesian, or "
-                "the arm by hand), come back and press Origin."
+                "Bring the tool's tip to what becomes the origin (by Jog above, or lead the arm "
+                "by hand), and press Origin."
             ),
             lambda: self.tr(
                 "Jog the tip along what becomes the X axis, as far as you can; press On +X."

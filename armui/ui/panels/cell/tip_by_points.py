@@ -221,7 +221,8 @@ class TipByPoints(PointSearch):
         enable_or_explain(self._apply, self._why_not or reason or missing, use)
         new = ready and self._spread_is_enough and not self._is_in_force(found)
         show_primary(self._apply, wanted=new and not self._why_not)
-        show_primary(self.take, wanted=not ready or not self._spread_is_enough)
+        more = not ready or not self._spread_is_enough
+        show_primary(self.take, wanted=more and self._controller.cell.cell is not None)
         self._restart.setEnabled(bool(self._poses))
         self._next.setText(self._next_step(found))
         self.show_live()
@@ -237,8 +238,8 @@ class TipByPoints(PointSearch):
             return words.refusal(CELL_NONE())
         if not poses:
             return self.tr(
-                "Fix a sharp point in front of the arm. Jog the tool's tip onto it (Motion "
-                "control or Cartesian, or lead the arm by hand), come back and press Take pose."
+                "Fix a sharp point in front of the arm. Bring the tool's tip onto it (by Jog "
+                "above, or lead the arm by hand), and press Take pose."
             )
         if len(poses) < LEAST_POSES or not self._spread_is_enough:
             turn = self._which_turn(poses)

@@ -325,13 +325,9 @@ class MotionPanel(JogPanel):
 
     @load.pressed
     def _on_load(self) -> None:
-        angles_deg = self._controller.state.angles_deg()
-        if angles_deg is None:
-            self._accepted(JOINTS_UNKNOWN())
-            return
-        self._fill(angles_deg)
-        self.show_acts()
-        self._accepted(None)
+        """Drop the targets typed: the fields follow the arm, and nothing is to be sent."""
+        self._release(*JOINTS)
+        self._accepted(None if self._angles_deg() is not None else JOINTS_UNKNOWN())
 
     @send.pressed
     def _on_send(self) -> None:

@@ -19,7 +19,7 @@ from armui.arm.limits import JOINTS
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
-from armui.control.devices.end_reports import EndReports, is_reporting
+from armui.control.devices.end_reports import EndReports, is_reporting, why_no_load
 from armui.control.devices.mounting import MountingControl
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
@@ -326,12 +326,14 @@ class EndLoadPanel(Panel):
     @send.pressed
     def _on_send(self) -> None:
         chosen = self._loads.checkedId()
-        if chosen < 0:
-            self._accepted(LOAD_NOT_CHOSEN())
-        else:
-            if self._accepted(self._controller.end_reports.set_load(EndLoad(chosen))):
-                self._sent = chosen
-            self.show_acts()
+        if self._accepted(self._controller.end_reports.set_load(EndLoad(chosen))):
+            self._sent = chosen
+        self.show_acts()
+
+    @send.why_not
+    def _why_not_send(self) -> Refusal | None:
+        none = LOAD_NOT_CHOSEN() if self._loads.checkedId() < 0 else None
+        return none or why_no_load(self._operating_state)
 
     @send.lit
     def _is_new(self) -> bool:
