@@ -15,11 +15,13 @@ from armui.system.command_line import (
     CommandParser,
     add_device,
     add_joints,
+    add_language,
     has_display,
     list_names,
+    say,
 )
 from armui.system.end_signals import end_at_once_on_ctrl_c, ignore_from_now_on, interrupting
-from armui.system.files import open_file
+from armui.system.files import error_text, open_file
 
 _SIGNALLED: Final = 128
 """The number a shell adds to that of the signal that ended a command."""
@@ -101,11 +103,16 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
         return 2
     file = getattr(options, "file", None)
     if file is not None and not file.is_file():
-        parser.error(f"{str(file)!r} is neither a file nor a command: see armui --help")
+        parser.error(
+            say("{file!r} is neither a file nor a command: see armui --help", file=str(file))
+        )
     if not has_display():
         print(
-            "armui: no display found. Start it in a desktop session, or set DISPLAY or "
-            "WAYLAND_DISPLAY. `armui doctor` tells more.",
+            "armui:",
+            say(
+                "no display found. Start it in a desktop session, or set DISPLAY or "
+                "WAYLAND_DISPLAY. `armui doctor` tells more."
+            ),
             file=sys.stderr,
         )
         return 2
@@ -114,8 +121,12 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
         from armui.start import StartOptions  # noqa: PLC0415 - needs packages that may be missing
     except ImportError as error:  # a package, or a system library that Qt wants
         print(
-            f"armui: the window cannot be loaded: {error}. `armui doctor` says what is missing, "
-            "and how to install it.",
+            "armui:",
+            say(
+                "the window cannot be loaded: {error}. `armui doctor` says what is missing, and "
+                "how to install it.",
+                error=error,
+            ),
             file=sys.stderr,
         )
         return 2
@@ -141,7 +152,7 @@ def _why_no_log(path: Path) -> str:
     try:
         open_file(path).close()
     except OSError as error:
-        return error.strerror or str(error)
+        return say(error_text(error))
     return ""
 
 
@@ -154,7 +165,7 @@ def _replay_parser() -> CommandParser:
     parser.add_argument(
         "replay", type=Path, metavar="FILE", help="the log: .blf, .asc, .log, .trc, .csv, ..."
     )
-    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    add_language(parser, "language of the windows")
     parser.set_defaults(sim=False, generation=None, firmware=None, joints=None)
     parser.set_defaults(interface=None, channel=None, bitrate=None)
     return parser
@@ -168,7 +179,11 @@ def _version(text: str) -> str:
 
     if FirmwareVersion.parse(text) is None:
         raise argparse.ArgumentTypeError(
-            f"{text!r} is no firmware version; write it as {RECOMMENDED}"
+            say(
+                "{text!r} is no firmware version; write it as {example}",
+                text=text,
+                example=RECOMMENDED,
+            )
         )
     return text
 
@@ -194,7 +209,7 @@ def _parser() -> CommandParser:
         metavar="FILE",
         help="a trajectory to open in the editor; nothing moves",
     )
-    parser.add_argument("--lang", choices=("zh", "en"), help="language of the windows")
+    add_language(parser, "language of the windows")
     arm = parser.add_argument_group("the arm to connect to")
     add_device(arm)
     arm.add_argument(

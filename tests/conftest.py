@@ -13,6 +13,8 @@ from itertools import count
 
 # Before Qt is loaded: tests need no display, and open no window on a desk that has one.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# Commands answer in English, wherever the tests run.
+os.environ["LC_ALL"] = "en_US.UTF-8"
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent

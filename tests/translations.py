@@ -137,7 +137,7 @@ def lupdate(ts: Path) -> None:
 
 def command_texts() -> list[str]:
     """Every text of the command line: what helps ask for, and what is said of a wrong one."""
-    asked = dict.fromkeys(command_line.OF_ARGPARSE)
+    asked = dict.fromkeys((*command_line.OF_ARGPARSE, *command_line.OF_SYSTEM))
 
     def note(text: str) -> str:
         if any(map(str.isalpha, text)):
@@ -155,6 +155,10 @@ def command_texts() -> list[str]:
                     args=[ast.Constant(value=str(text))],
                 ):
                     asked[text] = None
+                case ast.Call(
+                    func=ast.Name(id="say" | "Told"), args=[ast.Constant(value=str(text))]
+                ):
+                    note(text)
     return list(asked)
 
 

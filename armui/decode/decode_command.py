@@ -24,7 +24,9 @@ from armui.protocol.generation import Generation
 from armui.session.frames import NOT_OF_THE_ARM, NotALogError
 from armui.session.log_model import detect_generation
 from armui.session.reader import SUFFIXES, LogFile
-from armui.system.command_line import detach_output, write_out
+from armui.system.command_line import add_language, detach_output, say, write_out
+from armui.system.files import error_text
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from armui.session.frames import Channel, FrameBatch
@@ -100,6 +102,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         f"not tell it (default: {RECOMMENDED})",
     )  # fmt: skip
     parser.add_argument("--json", action="store_true", help="one JSON object a line")
+    add_language(parser, "language of the messages")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -116,7 +119,7 @@ def run(options: argparse.Namespace) -> int:
         with LogFile(path, pipes=True) as log:
             return _decode(log, options.generation, options.firmware, as_json=options.json)
     except NotALogError as error:
-        _complain(path, str(error))
+        _complain(path, error_text(error))
         return EXIT_NO_LOG
     except BrokenPipeError:
         # The reader of the output, such as head, has seen enough.
@@ -130,7 +133,11 @@ def _version(text: str) -> FirmwareVersion:
     version = FirmwareVersion.parse(text)
     if version is None:
         raise argparse.ArgumentTypeError(
-            f"{text!r} is no firmware version; write it as {RECOMMENDED}"
+            say(
+                "{text!r} is no firmware version; write it as {example}",
+                text=text,
+                example=RECOMMENDED,
+            )
         )
     return version
 
@@ -140,7 +147,9 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
     if wanted == "auto":
         looked_at, verdict = detect_generation(batches)
         generation = verdict.generation
-        _complain(log.path, f"read as generation {int(generation)}: {verdict.reason}")
+        reason = verdict.reason
+        text = Told("read as generation {number}: {reason}", number=int(generation), reason=reason)
+        _complain(log.path, text)
         batches = chain(looked_at, batches)
     else:
         generation = Generation(int(wanted))
@@ -154,7 +163,8 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
         said = _say_damages(log, said)
     _say_damages(log, said)
     if log.damages.not_kept:
-        _complain(log.path, f"{log.damages.not_kept} further places cannot be read")
+        further = Told("{count} further places cannot be read", count=log.damages.not_kept)
+        _complain(log.path, further)
     return EXIT_INCOMPLETE if log.damages.count else EXIT_COMPLETE
 
 
@@ -168,7 +178,13 @@ class _Layout:
         self._warned = False
         self.firmware = asked
         if asked is not None:
-            _complain(path, f"firmware {asked}, as --firmware says, unless the log tells another")
+            _complain(
+                path,
+                Told(
+                    "firmware {version}, as --firmware says, unless the log tells another",
+                    version=asked,
+                ),
+            )
 
     def look_at(self, batch: FrameBatch) -> bool:
         """Search a batch and report news; return whether the firmware is another."""
@@ -182,28 +198,34 @@ class _Layout:
             self._warned = True
             _complain(
                 self._path,
-                "the log names no firmware: MIT frames are read as those of S-V1.8-8 and later; "
-                "say --firmware if the arm is older",
+                Told(
+                    "the log names no firmware: MIT frames are read as those of S-V1.8-8 and "
+                    "later; say --firmware if the arm is older"
+                ),
             )
         return before != self.firmware
 
     def _report_version(self, channel: Channel, version: FirmwareVersion) -> None:
         first = self._finder.first
-        text = f"firmware {version}, as the log tells"
+        text = Told("firmware {version}, as the log tells", version=version)
         if first is not None and quirks_of(first).mit_layout != quirks_of(version).mit_layout:
-            text = f"firmware {version} on {channel}; all MIT frames are read as those of {first}"
+            text = Told(
+                "firmware {version} on {channel}; all MIT frames are read as those of {first}",
+                version=version,
+                channel=channel,
+                first=first,
+            )
         _complain(self._path, text)
 
 
 def _say_damages(log: LogFile, said: int) -> int:
     """Says the damaged places met since the last call."""
     for damage in log.damages.since(said):
-        words = "contradicts itself" if damage.frame_given else "cannot be read"
-        _complain(log.path, f"{damage.place} {words}: {damage.reason}")
+        _complain(log.path, damage.told())
     return len(log.damages)
 
 
 def _complain(path: Path, text: str) -> None:
     # What is already decoded comes first where both outputs meet in one terminal.
     sys.stdout.flush()
-    sys.stderr.write(f"armui decode: {path}: {text}\n")
+    sys.stderr.write(f"armui decode: {path}: {say(text)}\n")

@@ -18,6 +18,7 @@ from armui.doctor.probes.program import look_at_program
 from armui.doctor.probes.screen import TRIALS, look_at_screen
 from armui.doctor.problem_report import collect, doctor_files, save
 from armui.doctor.report import Words, as_json, as_text
+from armui.system.command_line import add_language, say
 from armui.system.files import size_text
 from armui.system.plain_words import Language, language_of_system, settings_file, translation
 
@@ -80,7 +81,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="keep what was found in a zip file, too, with log, settings and versions, to be sent "
         "to whoever helps; an existing file is left as it is",
     )
-    parser.add_argument("--lang", choices=("zh", "en"), help="language of the report")
+    add_language(parser, "language of the report")
 
 
 def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
@@ -169,5 +170,7 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = 0.0
     if not 0.1 <= seconds <= _LONGEST_S:
-        raise argparse.ArgumentTypeError(f"{text!r} is not within 0.1 to {_LONGEST_S:g} seconds")
+        raise argparse.ArgumentTypeError(
+            say("{text!r} is not within 0.1 to {most:g} seconds", text=text, most=_LONGEST_S)
+        )
     return seconds

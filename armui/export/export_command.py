@@ -25,7 +25,8 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.session.reader import SUFFIXES
-from armui.system.command_line import detach_output, write_out
+from armui.system.command_line import add_language, detach_output, say, write_out
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from armui.session.exports.request import ExportReport
@@ -76,7 +77,7 @@ class ProgressBar:
             line = f"[{'#' * full}{'.' * (_WIDTH - full)}] {done:4.0%}  {words}"
             if done > 0:
                 left_s = (now_s - self._began_s) * (1.0 - done) / done
-                line += f"  {left_s:.0f} s left"
+                line += "  " + say("{seconds:.0f} s left", seconds=left_s)
         self._stream.write("\r" + line.ljust(self._shown))
         self._stream.flush()
         self._shown = len(line)
@@ -92,30 +93,34 @@ class ProgressBar:
 def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) -> str:
     """Return the reason why nothing was written, with the remedy."""
     target = request.target
-    texts = {
+    texts: dict[ExportProblem, str] = {
         ExportProblem.NO_LOG: detail,
-        ExportProblem.NO_CHANNEL: (
-            f"no frame of the channel {request.wishes.channel!r} near its beginning; "
-            f"there are: {detail}"
+        ExportProblem.NO_CHANNEL: Told(
+            "no frame of the channel {channel!r} near its beginning; there are: {detail}",
+            channel=request.wishes.channel,
+            detail=detail,
         ),
-        ExportProblem.NO_FRAMES: "nothing to export: it has no frames; no file was written",
-        ExportProblem.NO_ARM: (
+        ExportProblem.NO_FRAMES: Told("nothing to export: it has no frames; no file was written"),
+        ExportProblem.NO_ARM: Told(
             "nothing to export: no frame in it is an arm's; no file was written "
             "(armui decode shows what is in it)"
         ),
-        ExportProblem.NO_ANGLES: (
+        ExportProblem.NO_ANGLES: Told(
             "nothing to export: a table has a row for each set of joint angles (0x2A5-0x2A7), and "
             "none was heard; no file was written (--to mcap wants none)"
         ),
-        ExportProblem.NOTHING_THEN: (
+        ExportProblem.NOTHING_THEN: Told(
             "nothing to export: nothing was heard between --from and --to-time; no file was written"
         ),
-        ExportProblem.EXISTS: (
-            f"{target} is there already; give another name with -o, or --force to replace it"
+        ExportProblem.EXISTS: Told(
+            "{target} is there already; give another name with -o, or --force to replace it",
+            target=target,
         ),
-        ExportProblem.SAME_FILE: "the target is the log itself; give another name with -o",
-        ExportProblem.CANNOT_WRITE: f"cannot write {target}: {detail}",
-        ExportProblem.NO_PYARROW: (
+        ExportProblem.SAME_FILE: Told("the target is the log itself; give another name with -o"),
+        ExportProblem.CANNOT_WRITE: Told(
+            "cannot write {target}: {detail}", target=target, detail=detail
+        ),
+        ExportProblem.NO_PYARROW: Told(
             "Parquet needs the package pyarrow: pip install 'armui[parquet]' "
             "(CSV has the same table without it)"
         ),
@@ -125,36 +130,54 @@ def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) ->
 
 def report_lines(report: ExportReport) -> list[str]:
     """Return lines on the result and on anything noteworthy."""
-    lines = [f"read as generation {report.generation}: {report.why_generation}"]
-    lines.append(f"taken for a {report.model}: {report.why_model}")
+    number, why = report.generation, report.why_generation
+    lines: list[str] = [Told("read as generation {number}: {reason}", number=number, reason=why)]
+    model, why = report.model, report.why_model
+    lines.append(Told("taken for a {model}: {reason}", model=model, reason=why))
     if report.offset:
-        lines.append(f"the arm's feedback has the identifier offset 0x{report.offset:02X} (0x470)")
+        lines.append(
+            Told(
+                "the arm's feedback has the identifier offset 0x{offset:02X} (0x470)",
+                offset=report.offset,
+            )
+        )
     if report.of_other_channels:
         others = ", ".join(report.other_channels)
         lines.append(
-            f"only the channel {report.channel} was exported; {report.of_other_channels:,} frames "
-            f"of {others} were left out (--channel chooses)"
+            Told(
+                "only the channel {channel} was exported; {count:,} frames of {others} were left "
+                "out (--channel chooses)",
+                channel=report.channel,
+                count=report.of_other_channels,
+                others=others,
+            )
         )
     if report.not_understood:
         lines.append(
-            f"{report.not_understood:,} frames are none of the arm's and were left out "
-            "(armui decode shows them)"
+            Told(
+                "{count:,} frames are none of the arm's and were left out "
+                "(armui decode shows them)",
+                count=report.not_understood,
+            )
         )
     if report.questions:
         lines.append(
-            f"{report.questions:,} frames ask for the firmware version, as armui does when it "
-            "connects; generation 1 does not answer them"
+            Told(
+                "{count:,} frames ask for the firmware version, as armui does when it connects; "
+                "generation 1 does not answer them",
+                count=report.questions,
+            )
         )
     if report.without_stamp:
         lines.append(
-            f"{report.without_stamp:,} frames have a time that no ROS time stamp can tell and were "
-            "left out"
+            Told(
+                "{count:,} frames have a time that no ROS time stamp can tell and were left out",
+                count=report.without_stamp,
+            )
         )
-    for damage in report.damages:
-        words = "contradicts itself" if damage.frame_given else "cannot be read"
-        lines.append(f"{damage.place} {words}: {damage.reason}")
+    lines += [damage.told() for damage in report.damages]
     if further := report.damage_count - len(report.damages):
-        lines.append(f"{further} further places cannot be read")
+        lines.append(Told("{count} further places cannot be read", count=further))
     return lines
 
 
@@ -213,6 +236,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--json", action="store_true", help="progress and result as JSON, one object a line"
     )
+    add_language(parser, "language of the messages")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -282,23 +306,25 @@ class _Said:
         """Do nothing: the name of the unfinished file is not needed here."""
 
     def progress(self, progress: ExportProgress) -> None:
-        self._bar.show(progress.done, f"{progress.frames:,} frames")
+        self._bar.show(progress.done, say("{count:,} frames", count=progress.frames))
 
     def failed(self, problem: ExportProblem, detail: str) -> None:
         self._complain(problem_text(problem, detail, self._request))
 
     def stopped(self) -> None:
-        self._complain("stopped; nothing was written")
+        self._complain(Told("stopped; nothing was written"))
 
     def done(self, report: ExportReport) -> None:
         for text in report_lines(report):
             self._complain(text)
-        what = "messages" if self._request.format is ExportFormat.MCAP else "rows"
-        sys.stdout.write(f"{self._request.target}: {report.items:,} {what}\n")
+        text = Told("{target}: {count:,} rows", target=self._request.target, count=report.items)
+        if self._request.format is ExportFormat.MCAP:
+            text = Told("{target}: {count:,} messages", **text.figures)
+        sys.stdout.write(f"{say(text)}\n")
 
     def _complain(self, text: str) -> None:
         self._bar.clear()
-        sys.stderr.write(f"armui export: {self._request.log}: {text}\n")
+        sys.stderr.write(f"armui export: {self._request.log}: {say(text)}\n")
 
 
 _TELL_EVERY_S: Final = 0.1
@@ -321,7 +347,7 @@ class _SaidAsJson(_Said):
             self._write({"done": progress.done, "frames": progress.frames})
 
     def failed(self, problem: ExportProblem, detail: str) -> None:
-        self._write({"problem": str(problem), "detail": detail})
+        self._write({"problem": str(problem), "detail": say(detail)})
 
     def stopped(self) -> None:
         self._write({"problem": "stopped", "detail": ""})
@@ -345,11 +371,19 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = math.nan
     if not (math.isfinite(seconds) and seconds >= 0.0):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds, 0 or more")
+        raise argparse.ArgumentTypeError(
+            say("{text!r} is no number of seconds, 0 or more", text=text)
+        )
     return seconds
 
 
 def _version(text: str) -> str:
     if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
-        raise argparse.ArgumentTypeError(f"{text!r} is no firmware version; write it as S-V1.8-5")
+        raise argparse.ArgumentTypeError(
+            say(
+                "{text!r} is no firmware version; write it as {example}",
+                text=text,
+                example="S-V1.8-5",
+            )
+        )
     return text

@@ -9,6 +9,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.firmware_version import LONGEST, VERSION_ID, find_version, is_question
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.system.sentence import Told
 
 _CLEAR_LEAD = 20
 """The lead in frames of one generation over the other that leaves no doubt."""
@@ -78,20 +79,26 @@ class GenerationDetector:
     def verdict(self) -> GenerationVerdict:
         """Return the generation that the frames so far indicate; generation 2 without evidence."""
         if self._version:
-            return GenerationVerdict(Generation.TWO, f"the arm named its firmware {self._version}")
+            why = Told("the arm named its firmware {version}", version=self._version)
+            return GenerationVerdict(Generation.TWO, why)
         one, two = self._votes[Generation.ONE], self._votes[Generation.TWO]
         if one != two:
             winner = Generation.TWO if two > one else Generation.ONE
             return GenerationVerdict(
                 winner,
-                f"frames that fit only this generation: {max(one, two)}, "
-                f"only the other: {min(one, two)}",
+                Told(
+                    "frames that fit only this generation: {this}, only the other: {other}",
+                    this=max(one, two),
+                    other=min(one, two),
+                ),
             )
         if self._intervals_s:
             period_s = statistics.median(self._intervals_s)
             winner = Generation.TWO if period_s < _PERIOD_BORDER_S else Generation.ONE
-            return GenerationVerdict(winner, f"the feedback comes every {period_s * 1000:.1f} ms")
-        return GenerationVerdict(Generation.TWO, "nothing tells, and arms in use today speak it")
+            why = Told("the feedback comes every {period:.1f} ms", period=period_s * 1000)
+            return GenerationVerdict(winner, why)
+        why = Told("nothing tells, and arms in use today speak it")
+        return GenerationVerdict(Generation.TWO, why)
 
     def _feed_version(self, payload: bytes) -> None:
         if is_question(payload):

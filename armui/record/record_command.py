@@ -18,9 +18,6 @@ from armui.record.listening import SIMULATED, BusListener, opened
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.counted import counted, keep
 from armui.session.recording.kinds import (
-    SESSION_DISK_FULL,
-    SESSION_FOLDER_GONE,
-    SESSION_READ_ONLY,
     RecordingFormat,
     is_name,
     name_for,
@@ -31,9 +28,9 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.session_recording import SessionRecording
 from armui.session.recording.writer import RecordingPlan, TimeBase
 from armui.system.clock import steady_s
-from armui.system.command_line import add_device
+from armui.system.command_line import add_device, add_language, say, say_sentence
 from armui.system.end_signals import handled_by, interrupting
-from armui.system.files import size_text
+from armui.system.files import error_text, size_text
 
 if TYPE_CHECKING:
     import can
@@ -50,11 +47,6 @@ _LOOK_S: Final = 0.1
 _KEPT_S: Final = 1.0
 """The ring keeps next to nothing, because nobody reads it."""
 _LARGEST_MB: Final = 4000
-_WORDS: Final = {
-    SESSION_DISK_FULL: "the disk is full: free some room, or name another folder (-o)",
-    SESSION_READ_ONLY: "the folder cannot be written: name another one (-o)",
-    SESSION_FOLDER_GONE: "the folder or its disk is gone: plug it in, or name another folder (-o)",
-}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -95,6 +87,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--duration", type=_seconds, metavar="SECONDS", help="end by itself after so long"
     )
     parser.add_argument("--quiet", action="store_true", help="no progress line")
+    add_language(parser, "language of the messages")
 
 
 def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> int:
@@ -104,16 +97,17 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
         return EXIT_CANNOT_BEGIN
     name = options.name or name_for(datetime.now().astimezone())
     if not is_name(name):
-        return _cannot_begin(f'{name!r} is no name for a file; leave out / \\ : * ? " < > |')
+        return _cannot_begin(
+            say('{name!r} is no name for a file; leave out / \\ : * ? " < > |', name=name)
+        )
     ending: list[int] = []
     with handled_by(lambda number, _frame: ending.append(number)):
         try:
             context = opened(device)
             bus = context.__enter__()
         except Exception as error:  # noqa: BLE001 - drivers of others raise anything
-            reason = explain(device, error)
             return _cannot_begin(
-                f"cannot open {device.name}: {error} ({reason.code}). `armui doctor` tells more."
+                f"{_said(explain(device, error))}\n{say('`armui doctor` tells more.')}"
             )
         try:
             return _record(bus, device, options, ending, name=name, clock=clock)
@@ -153,7 +147,8 @@ def _record(
         try:
             listener.listen()
         except Exception as error:  # noqa: BLE001 - drivers of others raise anything
-            problem = f"{device.name} is gone: {error}"
+            text = error_text(error)
+            problem = say("{device} is gone: {text}", device=device.name, text=text)
             break
         if clock() - told_s >= _TOLD_S and not options.quiet:
             told_s = clock()
@@ -195,7 +190,8 @@ def _count(path: Path) -> None:
     except KeyboardInterrupt:
         return
     except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
-        sys.stderr.write(f"armui record: its faults were not counted: {error}\n")
+        text = say("its faults were not counted: {text}", text=error_text(error))
+        sys.stderr.write(f"armui record: {text}\n")
 
 
 def _summary(
@@ -207,27 +203,32 @@ def _summary(
     if recording.failure is not None:
         problem = _explained(recording)
     elif not ended:
-        problem = "the disk does not answer; its last frames may be missing"
+        problem = say("the disk does not answer; its last frames may be missing")
     if problem and recording.path is None:
         return _cannot_begin(problem)
     lost = recording.lost + lane.dropped
     if lost:
-        sys.stderr.write(f"armui record: {lost} frames were lost: the disk was too slow\n")
+        text = say("{count} frames were lost: the disk was too slow", count=lost)
+        sys.stderr.write(f"armui record: {text}\n")
     if problem:
         sys.stderr.write(f"armui record: {problem}\n")
     if recording.path is not None and recording.frames:
         size = size_text(recording.total_bytes)
-        sys.stdout.write(f"{recording.path}: {recording.frames} frames, {size}\n")
+        text = say("{count} frames, {size}", count=recording.frames, size=size)
+        sys.stdout.write(f"{recording.path}: {text}\n")
     elif not problem:
-        sys.stderr.write("armui record: not one frame was heard; `armui doctor` tells more\n")
+        text = say("not one frame was heard; `armui doctor` tells more")
+        sys.stderr.write(f"armui record: {text}\n")
     return EXIT_CUT_SHORT if problem or lost else EXIT_OK
 
 
 def _explained(recording: SessionRecording) -> str:
     folder = recording.plan.folder
-    reason: Refusal = why_not_written(recording.failure or OSError("unknown"), folder)
-    words = _WORDS.get(reason.reason, str(recording.failure))
-    return f"{folder.absolute()}: {words}"
+    return _said(why_not_written(recording.failure or OSError("unknown"), folder))
+
+
+def _said(reason: Refusal) -> str:
+    return say_sentence(reason.reason, reason.params)
 
 
 def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
@@ -238,9 +239,10 @@ def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
     minutes, seconds = divmod(int(elapsed_s), 60)
     size = size_text(recording.total_bytes)
     lost = recording.lost + lane.dropped
-    text = f"{minutes:3d}:{seconds:02d}  {recording.frames} frames  {size}"
+    frames = say("{count} frames, {size}", count=recording.frames, size=size)
+    text = f"{minutes:3d}:{seconds:02d}  {frames}"
     if lost:
-        text += f"  {lost} lost"
+        text += "  " + say("{count} lost", count=lost)
     sys.stderr.write(f"\r{text:<60}")
     sys.stderr.flush()
 
@@ -249,13 +251,13 @@ def _device(options: argparse.Namespace) -> Device | None:
     """Return the device to listen to, or ``None`` after printing what the options lack."""
     if options.sim:
         if options.interface is not None:
-            _cannot_begin("--sim is a device of its own: leave out --interface")
+            _cannot_begin(say("--sim is a device of its own: leave out --interface"))
             return None
         generation = options.generation or 2
         channel = f"{SIMULATED}-{generation}"
         return Device("virtual", channel, None, simulated=True, generation=generation)
     if options.interface is None or options.channel is None:
-        _cannot_begin("name the bus: --interface and --channel, or --sim")
+        _cannot_begin(say("name the bus: --interface and --channel, or --sim"))
         return None
     channel_number = int(options.channel) if options.channel.isdigit() else options.channel
     ours = bitrate_is_ours(options.interface)
@@ -271,7 +273,9 @@ def _cannot_begin(text: str) -> int:
 def _megabytes(text: str) -> int:
     size = int(text) if text.isdigit() else 0
     if not 1 <= size <= _LARGEST_MB:
-        raise argparse.ArgumentTypeError(f"{text!r} is not within 1 to {_LARGEST_MB} MB")
+        raise argparse.ArgumentTypeError(
+            say("{text!r} is not within 1 to {most} MB", text=text, most=_LARGEST_MB)
+        )
     return size
 
 
@@ -281,5 +285,5 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = 0.0
     if not 0.0 < seconds < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text!r} is no number of seconds")
+        raise argparse.ArgumentTypeError(say("{text!r} is no number of seconds", text=text))
     return seconds

@@ -19,6 +19,7 @@ from armui.session.frames import (
     DamageList,
     FrameBatch,
 )
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -163,8 +164,9 @@ class BatchBuilder:
                 if self.damages.full:
                     self.damages.count += 1
                 else:
-                    place = f"frame {self.frames + row + 1}"
-                    self.note(place, "its time is none that a log can have", row, frame_given=True)
+                    place = Told("frame {frame}", frame=self.frames + row + 1)
+                    reason = Told("its time is none that a log can have")
+                    self.note(place, reason, row, frame_given=True)
         return batch if times_s is batch.times_s else replace(batch, times_s=times_s)
 
     def _unit(self, times_s: NDArray[np.float64]) -> float:
@@ -172,7 +174,8 @@ class BatchBuilder:
         middle = float(np.sort(times_s)[times_s.size // 2])
         for unit, per_second in _SMALLER_UNITS.items() if middle > LATEST_S else ():
             if _EARLIEST_DATE_S < middle / per_second <= LATEST_S:
-                self.note("all frames", f"their times are in {unit}, read as such", 0)
+                reason = Told("their times are in {unit}, read as such", unit=unit)
+                self.note(Told("all frames"), reason, 0)
                 return per_second
         return 1.0
 
@@ -186,8 +189,10 @@ class BatchBuilder:
                 known[channel] = len(known)
             elif FURTHER_CHANNELS not in known:
                 known[FURTHER_CHANNELS] = _MOST_CHANNELS
-                reason = f"more than {_MOST_CHANNELS} channels; the others are read as one"
-                self.note(f"channel {channel}", reason, 0)
+                reason = Told(
+                    "more than {most} channels; the others are read as one", most=_MOST_CHANNELS
+                )
+                self.note(Told("channel {channel}", channel=channel), reason, 0)
         further = known.get(FURTHER_CHANNELS, 0)
         return np.array([known.get(channel, further) for channel in channels], np.uint8)
 
@@ -195,9 +200,10 @@ class BatchBuilder:
         """Return whether a message has an identifier, data and a time at all."""
         try:
             self._columns([message])
-            reason = "" if math.isfinite(message.timestamp) else "its time is no number"
+            known = math.isfinite(message.timestamp)
+            reason = Told("") if known else Told("its time is no number")
         except (TypeError, ValueError, OverflowError, AttributeError) as error:
-            reason = str(error) or "its parts are no numbers"
+            reason = Told(str(error)) if str(error) else Told("its parts are no numbers")
         if reason:
             self.note(place(index), reason, index)
         return not reason
@@ -232,8 +238,16 @@ def _contradiction(batch: FrameBatch, row: int) -> str:
     arbitration_id, flags = int(batch.ids[row]), int(batch.flags[row])
     bits, top = (29, _TOP_EXTENDED_ID) if flags & FrameFlag.EXTENDED else (11, _TOP_STANDARD_ID)
     if arbitration_id > top:
-        return f"identifier 0x{arbitration_id:X} in a frame whose identifiers have {bits} bits"
-    return f"0x{arbitration_id:03X} with {batch.lengths[row]} bytes of data, but another length"
+        return Told(
+            "identifier 0x{can_id:X} in a frame whose identifiers have {bits} bits",
+            can_id=arbitration_id,
+            bits=bits,
+        )
+    return Told(
+        "0x{can_id:03X} with {count} bytes of data, but another length",
+        can_id=arbitration_id,
+        count=int(batch.lengths[row]),
+    )
 
 
 def _lengths(

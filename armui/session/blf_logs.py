@@ -10,6 +10,8 @@ import can
 from can.io import blf
 
 from armui.session.frames import NotALogError
+from armui.system.files import error_text
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -86,7 +88,7 @@ class ObjectStream:
                 yield from self._whole(data, place)
         if self._is_broken_off or self._tail.strip(b"\0"):
             # Noted once: a container that is cut also leaves a cut object behind.
-            self._note(self.position, self._source.broken or "the file breaks off here")
+            self._note(self.position, self._source.broken or Told("the file breaks off here"))
 
     def _take(self, size: int) -> bytes:
         if len(self._ahead) < size:
@@ -125,7 +127,7 @@ class ObjectStream:
             more = self._source.read(_PIECE)
             if not more:
                 self._lose_thread()
-                self._note(place, "no object begins here, and none follows")
+                self._note(place, Told("no object begins here, and none follows"))
                 return False
             gone = max(len(self._ahead) - len(_SIGNATURE) + 1, 0)
             skipped += self._ahead[: max(_PADDING + 1 - len(skipped), 0)]
@@ -136,7 +138,8 @@ class ObjectStream:
         self._ahead = self._ahead[found:]
         if len(skipped) > _PADDING or skipped.strip(b"\0"):
             self._lose_thread()
-            self._note(place, f"damaged here; the next object begins at byte {self.position}")
+            reason = Told("damaged here; the next object begins at byte {byte}", byte=self.position)
+            self._note(place, reason)
         return True
 
     def _unpacked(self, body: bytes, place: int) -> Iterator[bytes]:
@@ -149,7 +152,7 @@ class ObjectStream:
             yield bytes(packed)
             return
         if method != blf.ZLIB_DEFLATE:
-            self._note(place, f"packed by the unknown method {method}")
+            self._note(place, Told("packed by the unknown method {method}", method=method))
             self._lose_thread()
             return
         unpacker = zlib.decompressobj()
@@ -162,7 +165,7 @@ class ObjectStream:
                     if self._idle_bytes > _PATIENT_BYTES:
                         return
         except zlib.error as error:
-            self._note(place, f"damaged here ({error})")
+            self._note(place, Told("damaged here ({error})", error=str(error)))
             self._lose_thread()
 
     def _lose_thread(self) -> None:
@@ -186,7 +189,7 @@ class ObjectStream:
                     break
                 yield data[run:pos]
                 begin = data.find(_SIGNATURE, pos)
-                self._note(place, "what this part of the file holds is damaged")
+                self._note(place, Told("what this part of the file holds is damaged"))
                 if begin < 0:
                     self._lose_thread()
                     return
@@ -196,7 +199,8 @@ class ObjectStream:
             _signature, _header_size, version, size, kind = unpack(data, begin)
             if not _BASE.size <= size <= _LARGEST:
                 yield data[run:pos]
-                self._note(place, f"an object in this part of the file claims {size} bytes")
+                reason = Told("an object in this part of the file claims {size} bytes", size=size)
+                self._note(place, reason)
                 run = pos = begin + 1
                 continue
             if begin + size > len(data):
@@ -227,7 +231,12 @@ class ObjectStream:
             head = _BASE.pack(signature, header_size, version, least, kind)
             yield head + shortened[_BASE.size :].ljust(least - _BASE.size, b"\0")
         else:
-            self._note(place, f"an object in this part of the file has {size} bytes, not {least}")
+            reason = Told(
+                "an object in this part of the file has {size} bytes, not {least}",
+                size=size,
+                least=least,
+            )
+            self._note(place, reason)
 
 
 def container(objects: bytes) -> bytes:
@@ -278,7 +287,7 @@ def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatc
     """
     header = source.read(_HEADER.size)
     if len(header) < _HEADER.size or not header.startswith(b"LOGG"):
-        raise NotALogError("no CAN log: it does not begin as a BLF file")
+        raise NotALogError(Told("no CAN log: it does not begin as a BLF file"))
     builder.header_seen = True
     (header_size,) = struct.unpack_from("<L", header, _HEADER_SIZE_AT)
     rest = header_size - _HEADER.size
@@ -287,10 +296,12 @@ def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatc
 
     def note(byte: int, reason: str) -> None:
         count = builder.frames + len(gathered)
-        builder.note(f"byte {byte}", f"{reason}, after {count} frames", len(gathered))
+        place = Told("byte {byte}", byte=byte)
+        told = Told("{reason}, after {count} frames", reason=reason, count=count)
+        builder.note(place, told, len(gathered))
 
     def place(index: int) -> str:
-        return f"frame {builder.frames + index + 1}"
+        return Told("frame {frame}", frame=builder.frames + index + 1)
 
     own_header = bytearray(header)
     struct.pack_into("<L", own_header, _HEADER_SIZE_AT, _HEADER.size)
@@ -303,7 +314,7 @@ def read_blf_log(source: LogSource, builder: BatchBuilder) -> Iterator[FrameBatc
         except StopIteration:
             break
         except Exception as error:  # noqa: BLE001 - damaged bytes raise whatever they hit
-            note(objects.position, f"damaged here ({str(error) or type(error).__name__})")
+            note(objects.position, Told("damaged here ({error})", error=error_text(error)))
             feed.restart()
             messages = iter(can.BLFReader(cast("BinaryIO", feed)))
             continue

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any, Final
 import can
 
 from armui.session.frames import NotALogError
+from armui.system.files import error_text
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -79,14 +81,14 @@ def read_database(path: Path, builder: BatchBuilder) -> Iterator[FrameBatch]:
     try:
         database = _Database(path)
     except sqlite3.Error as error:
-        raise NotALogError(f"no CAN log: {error}") from error
+        raise NotALogError(Told("no CAN log: {error}", error=error_text(error))) from error
     with database:
         try:
             has_table = database.has_table()
         except sqlite3.Error as error:
-            raise NotALogError(f"no CAN log: {error}") from error
+            raise NotALogError(Told("no CAN log: {error}", error=error_text(error))) from error
         if not has_table:
-            raise NotALogError("no CAN log: the database has no table «messages»")
+            raise NotALogError(Told("no CAN log: the database has no table «messages»"))
         builder.header_seen = True
         yield from _gathered(database.rows(), builder)
 
@@ -100,18 +102,18 @@ def _gathered(
     row = 0
 
     def place(index: int) -> str:
-        return f"row {places[index]}"
+        return Told("row {row}", row=places[index])
 
     while True:
         row += 1
         try:
             entry = next(entries, None)
         except Exception as error:  # noqa: BLE001 - a damaged file raises whatever it hits
-            reason = f"the file is damaged from here on ({str(error) or type(error).__name__})"
-            builder.note(f"row {row}", reason, len(gathered))
+            reason = Told("the file is damaged from here on ({error})", error=error_text(error))
+            builder.note(Told("row {row}", row=row), reason, len(gathered))
             entry = None
         if isinstance(entry, Exception):
-            builder.note(f"row {row}", str(entry) or type(entry).__name__, len(gathered))
+            builder.note(Told("row {row}", row=row), error_text(entry), len(gathered))
             continue
         if entry is not None:
             gathered.append(entry)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 import numpy as np
 
 from armui.protocol.frame import Frame, FrameFlag
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -113,6 +114,13 @@ class Damage(NamedTuple):
     before_frame: int
     frame_given: bool = False
 
+    def told(self) -> Told:
+        """Return the place and the reason as one text."""
+        figures = {"place": self.place, "reason": self.reason}
+        if self.frame_given:
+            return Told("{place} contradicts itself: {reason}", **figures)
+        return Told("{place} cannot be read: {reason}", **figures)
+
 
 class DamageList:
     """The damaged places of a log in the order they were met; bounded, then only counted.
@@ -150,4 +158,4 @@ class DamageList:
 
 
 class NotALogError(Exception):
-    """The file cannot be opened, or holds no frame; the text tells which, in one line."""
+    """The file cannot be opened, or holds no frame; a `Told` of one line tells which."""

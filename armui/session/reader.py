@@ -17,6 +17,7 @@ from armui.session.frames import DamageList, FrameBatch, NotALogError
 from armui.session.source import LogSource
 from armui.session.text_logs import TEXT_FORMATS, NonsenseError, read_text_log
 from armui.system.files import open_file
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -134,14 +135,18 @@ class LogFile:
 
     def _no_log(self) -> NotALogError:
         looks_like = _looks_like(self.path)
-        hint = ""
-        if self._source.broken:
-            hint = f" ({self._source.broken})"
-        elif looks_like not in {"", self._suffix}:
-            hint = f"; it looks like a {looks_like} file: give it that suffix"
-        return NotALogError(
-            f"no CAN log: nothing in it reads as a frame of a {self._suffix} file{hint}"
+        reason = Told(
+            "no CAN log: nothing in it reads as a frame of a {kind} file", kind=self._suffix
         )
+        if self._source.broken:
+            reason = Told("{reason} ({error})", reason=reason, error=self._source.broken)
+        elif looks_like not in {"", self._suffix}:
+            reason = Told(
+                "{reason}; it looks like a {kind} file: give it that suffix",
+                reason=reason,
+                kind=looks_like,
+            )
+        return NotALogError(reason)
 
 
 def _looks_like(path: Path) -> str:
@@ -176,12 +181,19 @@ def _log_suffix(path: Path) -> str:
     suffix = suffixes[-1] if suffixes else ""
     if is_mf4(path):
         raise NotALogError(
-            "MF4 is not read: convert it to .asc or .blf with other software, for example asammdf"
+            Told(
+                "MF4 is not read: convert it to .asc or .blf with other software, for example "
+                "asammdf"
+            )
         )
     if suffix not in SUFFIXES or (packed and suffix == _NOT_PACKED):
         known = ", ".join(SUFFIXES)
         raise NotALogError(
-            f"unknown kind of log {''.join(path.suffixes[-2:])!r}; known are {known}, "
-            f"and these but {_NOT_PACKED} with .gz"
+            Told(
+                "unknown kind of log {kind!r}; known are {known}, and these but {plain} with .gz",
+                kind="".join(path.suffixes[-2:]),
+                known=known,
+                plain=_NOT_PACKED,
+            )
         )
     return suffix

@@ -8,7 +8,8 @@ import zlib
 from typing import IO, TYPE_CHECKING, cast
 
 from armui.session.frames import NotALogError
-from armui.system.files import open_file, open_stream
+from armui.system.files import error_text, open_file, open_stream
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -48,7 +49,7 @@ class LogSource:
                 self._raw = open_stream(log) if pipes else open_file(log)
                 self.size = log.stat().st_size
             except OSError as error:
-                raise NotALogError(error.strerror or str(error)) from error
+                raise NotALogError(error_text(error)) from error
             self._is_packed = log.suffix.lower() == ".gz"
         self._stream: IO[bytes] = (
             cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if self._is_packed else self._raw
@@ -128,7 +129,7 @@ class LogSource:
         return [line.strip() for line in text.split("\n")] if lines else []
 
 
-def _reason(error: BaseException) -> str:
-    return (
-        (error.strerror if isinstance(error, OSError) else "") or str(error) or type(error).__name__
-    )
+def _reason(error: BaseException) -> Told:
+    if isinstance(error, OSError) and error.strerror:
+        return error_text(error)
+    return Told("what is packed in it is damaged")

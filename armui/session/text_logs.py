@@ -16,6 +16,7 @@ import numpy as np
 
 from armui.protocol.frame import FrameFlag
 from armui.session.frames import CLASSIC_BYTES, FrameBatch
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -289,7 +290,7 @@ class _Lines:
         elif self._source.taken - self._sense_until > _PATIENT_BYTES:
             if not self.hopeful:
                 raise NonsenseError
-            self._source.broken = "nothing in so many bytes is a frame; the rest is not read"
+            self._source.broken = Told("nothing in so many bytes is a frame; the rest is not read")
 
     def close(self) -> None:
         """Do nothing: readers call this at their end, but the file belongs to its opener."""
@@ -320,7 +321,8 @@ class _Lines:
     def end(self) -> None:
         """Note the place where the file breaks off, if it does."""
         if self._source.broken:
-            self._builder.note(f"after line {self.number}", self._source.broken, 0)
+            place = Told("after line {line}", line=self.number)
+            self._builder.note(place, self._source.broken, 0)
 
     def settle(self) -> None:
         """Finish the pending line: it is noted unless it may yield nothing."""
@@ -337,7 +339,8 @@ class _Lines:
         else:
             text = self.pending
             excerpt = text if len(text) <= _EXCERPT else text[:_EXCERPT] + "..."
-            self._builder.note(f"line {self.number}", ascii(excerpt), self.rows)
+            place = Told("line {line}", line=self.number)
+            self._builder.note(place, ascii(excerpt), self.rows)
         self.pending = ""
         self._unreadable += 1
         if not self.hopeful and self._unreadable > _PATIENT_LINES:
@@ -395,7 +398,7 @@ def _read(lines: _Lines, log_format: TextFormat, builder: BatchBuilder) -> Itera
     places: list[int] = []
 
     def place(index: int) -> str:
-        return f"line {places[index]}"
+        return Told("line {line}", line=places[index])
 
     while True:
         try:

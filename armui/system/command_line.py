@@ -17,19 +17,21 @@ from itertools import pairwise
 from typing import Any, Final, NoReturn
 
 from armui.system.plain_words import (
+    LANGUAGES,
     Language,
     Translate,
     language_of_system,
     settings_file,
     translation,
 )
+from armui.system.sentence import Sentence, Told, filled
 
 _COLUMN: Final = 26
 """The largest column at which the help of an option begins."""
 _WIDTH: Final = 79
 _PARTS: Final = re.compile(r"[\x21-\x7e]+[，。；：、）”！]*|\s+|[^\x00-\x7f][，。；：、）”！]*")
 """A word, or one character of Chinese, with the marks behind it that begin no line; or a gap."""
-CONTEXT: Final = "CommandLine"
+CONTEXT: Final = Told.context
 OF_ARGPARSE: Final = (
     "%(prog)s: error: %(message)s\n",
     "argument %(argument_name)s: %(message)s",
@@ -45,13 +47,32 @@ OF_ARGPARSE: Final = (
     "unrecognized arguments: %s",
 )
 """Its sentences about a wrong command line, which it looks up in a catalogue of its own."""
+OF_SYSTEM: Final = (
+    "File exists",
+    "File name too long",
+    "Input/output error",
+    "Is a directory",
+    "No space left on device",
+    "No such device",
+    "No such file or directory",
+    "Not a directory",
+    "Operation not permitted",
+    "Permission denied",
+    "Read-only file system",
+    "Too many levels of symbolic links",
+    "Connection timed out",
+    "database disk image is malformed",
+    "file is not a database",
+    "unable to open database file",
+)
+"""The errors of files as system and SQLite word them: in English, for no locale is set."""
 
 _WHOLE_TURN_DEG: Final = 360.0
 
 
 @cache
-def _texts(language: Language) -> Translate:
-    return translation(language, CONTEXT)
+def _texts(language: Language, context: str) -> Translate:
+    return translation(language, context)
 
 
 def _language() -> Language:
@@ -65,9 +86,20 @@ def _language() -> Language:
     return "zh" if spoken == "zh" else "en"
 
 
-def say(text: str) -> str:
-    """Return a text of the command line in the operator's language."""
-    return _texts(_language())(CONTEXT, text)
+def say(text: str, /, **figures: object) -> str:
+    """Return a text of the command line, with its figures, in the operator's language."""
+    if isinstance(text, Told):
+        return text.said(_translate)
+    return filled(_translate(CONTEXT, text), figures, _translate)
+
+
+def say_sentence(what: Sentence, figures: Mapping[str, object]) -> str:
+    """Return a declared sentence, with its figures, in the operator's language."""
+    return filled(_translate(what.context, what.source), figures, _translate)
+
+
+def _translate(context: str, text: str) -> str:
+    return _texts(_language(), context)(context, text)
 
 
 def wrapped(text: str, width: int) -> list[str]:
@@ -224,6 +256,11 @@ def add_device(parser: argparse._ActionsContainer) -> None:
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
 
 
+def add_language(parser: argparse._ActionsContainer, of_what: str) -> None:
+    """Declares the option that chooses a language for this run, which `say` heeds."""
+    parser.add_argument("--lang", choices=LANGUAGES, help=of_what)
+
+
 def add_joints(parser: argparse._ActionsContainer, meaning: str) -> None:
     """Declares the option that says where a simulated arm lies.
 
@@ -242,7 +279,11 @@ def _angle(text: str) -> float:
         angle_deg = math.nan
     if not abs(angle_deg) <= _WHOLE_TURN_DEG:
         raise argparse.ArgumentTypeError(
-            f"{text!r} is no angle; give degrees from -{_WHOLE_TURN_DEG:g} to {_WHOLE_TURN_DEG:g}"
+            say(
+                "{text!r} is no angle; give degrees from -{most:g} to {most:g}",
+                text=text,
+                most=_WHOLE_TURN_DEG,
+            )
         )
     return angle_deg
 

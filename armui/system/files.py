@@ -13,6 +13,8 @@ import os
 import stat
 from typing import TYPE_CHECKING, Any, BinaryIO, Final, Literal
 
+from armui.system.sentence import Told
+
 if TYPE_CHECKING:
     from pathlib import Path
 
@@ -23,11 +25,11 @@ _AT_ONCE: Final = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
 file they change nothing.
 """
 _KINDS: Final = (
-    (stat.S_ISDIR, "a folder"),
-    (stat.S_ISFIFO, "a pipe"),
-    (stat.S_ISSOCK, "a socket"),
-    (stat.S_ISCHR, "a device"),
-    (stat.S_ISBLK, "a device"),
+    (stat.S_ISDIR, Told("it is a folder, not a file")),
+    (stat.S_ISFIFO, Told("it is a pipe, not a file")),
+    (stat.S_ISSOCK, Told("it is a socket, not a file")),
+    (stat.S_ISCHR, Told("it is a device, not a file")),
+    (stat.S_ISBLK, Told("it is a device, not a file")),
 )
 
 
@@ -103,13 +105,17 @@ def _opened(path: Any, flags: int) -> int:
 
 def _check(found: os.stat_result, path: Any) -> None:
     if not stat.S_ISREG(found.st_mode):
-        kind = next((name for is_it, name in _KINDS if is_it(found.st_mode)), "something else")
-        raise NotAFileError(errno.EINVAL, f"it is {kind}, not a file", str(path))
+        other = Told("it is something else, not a file")
+        kind = next((name for is_it, name in _KINDS if is_it(found.st_mode)), other)
+        raise NotAFileError(errno.EINVAL, kind, str(path))
 
 
-def error_text(error: BaseException) -> str:
+def error_text(error: BaseException) -> Told:
     """Return an error's message, without number and path for errors of the system, or its type."""
-    return getattr(error, "strerror", None) or str(error) or type(error).__name__
+    text = getattr(error, "strerror", None) or next(iter(error.args), None)
+    if isinstance(text, Told):
+        return text
+    return Told(getattr(error, "strerror", None) or str(error) or type(error).__name__)
 
 
 def size_text(count: int) -> str:

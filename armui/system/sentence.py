@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -26,3 +27,40 @@ class Sentence:
 
     def __str__(self) -> str:
         return self.id
+
+
+class Told(str):
+    """A text in English that remembers its sentence and figures, to be said in another language.
+
+    ``Told("row {row}", row=3)``; ``python -m tests.translations`` collects the sentences.
+
+    Attributes:
+        source: The sentence; ``{name}`` is a figure.
+        figures: The figures, among them further texts.
+    """
+
+    __slots__ = ("figures", "source")
+    source: str
+    figures: Mapping[str, object]
+    context: ClassVar[str] = "CommandLine"
+
+    def __new__(cls, source: str, /, **figures: object) -> Told:
+        """Create the English text of a sentence with its figures."""
+        told = super().__new__(cls, source.format_map(figures) if figures else source)
+        told.source, told.figures = source, figures
+        return told
+
+    def said(self, translate: Callable[[str, str], str]) -> str:
+        """Return the text in the language of a function that translates a text of a context."""
+        return filled(translate(self.context, self.source), self.figures, translate)
+
+
+def filled(text: str, figures: Mapping[str, object], translate: Callable[[str, str], str]) -> str:
+    """Return a translated sentence with its figures; those that are texts are translated, too."""
+    if not figures:
+        return text
+    each = {
+        name: figure.said(translate) if isinstance(figure, Told) else figure
+        for name, figure in figures.items()
+    }
+    return text.format_map(each)

@@ -2031,6 +2031,70 @@
       armui COMMAND [OPTION ...]</translation>
     </message>
     <message>
+        <source>File exists</source>
+        <translation>文件已存在</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>文件名太长</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>读写错误</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>设备不存在</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>文件或文件夹不存在</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>不是文件夹</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>不允许此操作</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>磁盘是只读的</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>符号链接层数过多</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>等待超时</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>数据库已损坏</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>文件不是数据库</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>无法打开数据库文件</translation>
+    </message>
+    <message>
         <source>usage: </source>
         <translation>用法：</translation>
     </message>
@@ -2117,6 +2181,10 @@
     <message>
         <source>one JSON object a line</source>
         <translation>每行一个 JSON 对象</translation>
+    </message>
+    <message>
+        <source>language of the messages</source>
+        <translation>提示信息的语言</translation>
     </message>
     <message>
         <source>Look at this computer, its CAN devices and the bus, and say what is wrong, each with a command that mends it. Nothing is sent but with --ask.</source>
@@ -2301,6 +2369,406 @@
     <message>
         <source>--joints belongs to --sim: a real arm says for itself how it lies</source>
         <translation>--joints 只用于 --sim：真实机械臂会自行说明</translation>
+    </message>
+    <message>
+        <source>{file!r} is neither a file nor a command: see armui --help</source>
+        <translation>{file!r} 既不是文件也不是命令，见 armui --help</translation>
+    </message>
+    <message>
+        <source>no display found. Start it in a desktop session, or set DISPLAY or WAYLAND_DISPLAY. `armui doctor` tells more.</source>
+        <translation>没有可用的显示。请在桌面会话中启动，或设置 DISPLAY 或 WAYLAND_DISPLAY。更多信息见 `armui doctor`。</translation>
+    </message>
+    <message>
+        <source>{text!r} is no firmware version; write it as {example}</source>
+        <translation>{text!r} 不是固件版本，应写成 {example} 的形式</translation>
+    </message>
+    <message>
+        <source>the window cannot be loaded: {error}. `armui doctor` says what is missing, and how to install it.</source>
+        <translation>无法加载窗口：{error}。`armui doctor` 会指出缺少什么、如何安装。</translation>
+    </message>
+    <message>
+        <source>read as generation {number}: {reason}</source>
+        <translation>按第 {number} 代协议读取：{reason}</translation>
+    </message>
+    <message>
+        <source>{count} further places cannot be read</source>
+        <translation>还有 {count} 处无法读取</translation>
+    </message>
+    <message>
+        <source>firmware {version}, as the log tells</source>
+        <translation>固件 {version}（日志中的信息）</translation>
+    </message>
+    <message>
+        <source>firmware {version} on {channel}; all MIT frames are read as those of {first}</source>
+        <translation>{channel} 上的固件为 {version}；所有 MIT 帧均按 {first} 读取</translation>
+    </message>
+    <message>
+        <source>firmware {version}, as --firmware says, unless the log tells another</source>
+        <translation>固件 {version}（--firmware 指定），日志中另有说明时除外</translation>
+    </message>
+    <message>
+        <source>the log names no firmware: MIT frames are read as those of S-V1.8-8 and later; say --firmware if the arm is older</source>
+        <translation>日志中没有固件版本：MIT 帧按 S-V1.8-8 及更新的固件读取；机械臂固件更旧时，请用 --firmware 指定</translation>
+    </message>
+    <message>
+        <source>{text!r} is not within 0.1 to {most:g} seconds</source>
+        <translation>{text!r} 不在 0.1 至 {most:g} 秒之间</translation>
+    </message>
+    <message>
+        <source>no frame of the channel {channel!r} near its beginning; there are: {detail}</source>
+        <translation>开头附近没有通道 {channel!r} 的帧；现有通道：{detail}</translation>
+    </message>
+    <message>
+        <source>nothing to export: it has no frames; no file was written</source>
+        <translation>没有可导出的内容：文件中没有帧；未写入任何文件</translation>
+    </message>
+    <message>
+        <source>nothing to export: no frame in it is an arm&apos;s; no file was written (armui decode shows what is in it)</source>
+        <translation>没有可导出的内容：其中没有机械臂的帧；未写入任何文件（用 armui decode 可查看其内容）</translation>
+    </message>
+    <message>
+        <source>nothing to export: a table has a row for each set of joint angles (0x2A5-0x2A7), and none was heard; no file was written (--to mcap wants none)</source>
+        <translation>没有可导出的内容：表格的每一行对应一组关节角（0x2A5-0x2A7），而日志中没有；未写入任何文件（--to mcap 不需要关节角）</translation>
+    </message>
+    <message>
+        <source>nothing to export: nothing was heard between --from and --to-time; no file was written</source>
+        <translation>没有可导出的内容：--from 与 --to-time 之间没有数据；未写入任何文件</translation>
+    </message>
+    <message>
+        <source>{target} is there already; give another name with -o, or --force to replace it</source>
+        <translation>{target} 已存在；请用 -o 指定其他名称，或用 --force 替换</translation>
+    </message>
+    <message>
+        <source>the target is the log itself; give another name with -o</source>
+        <translation>目标就是日志本身；请用 -o 指定其他名称</translation>
+    </message>
+    <message>
+        <source>cannot write {target}: {detail}</source>
+        <translation>无法写入 {target}：{detail}</translation>
+    </message>
+    <message>
+        <source>Parquet needs the package pyarrow: pip install &apos;armui[parquet]&apos; (CSV has the same table without it)</source>
+        <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;（CSV 不需要它，表格内容相同）</translation>
+    </message>
+    <message>
+        <source>taken for a {model}: {reason}</source>
+        <translation>视为 {model}：{reason}</translation>
+    </message>
+    <message>
+        <source>{target}: {count:,} rows</source>
+        <translation>{target}：{count:,} 行</translation>
+    </message>
+    <message>
+        <source>the arm&apos;s feedback has the identifier offset 0x{offset:02X} (0x470)</source>
+        <translation>机械臂的反馈带有标识符偏移 0x{offset:02X}（0x470）</translation>
+    </message>
+    <message>
+        <source>only the channel {channel} was exported; {count:,} frames of {others} were left out (--channel chooses)</source>
+        <translation>只导出了通道 {channel}；略去了 {others} 的 {count:,} 帧（可用 --channel 选择）</translation>
+    </message>
+    <message>
+        <source>{count:,} frames are none of the arm&apos;s and were left out (armui decode shows them)</source>
+        <translation>略去了 {count:,} 个不属于机械臂的帧（用 armui decode 可查看）</translation>
+    </message>
+    <message>
+        <source>{count:,} frames ask for the firmware version, as armui does when it connects; generation 1 does not answer them</source>
+        <translation>有 {count:,} 帧在查询固件版本（armui 连接时即如此）；第 1 代不回答</translation>
+    </message>
+    <message>
+        <source>{count:,} frames have a time that no ROS time stamp can tell and were left out</source>
+        <translation>略去了 {count:,} 个时间无法用 ROS 时间戳表示的帧</translation>
+    </message>
+    <message>
+        <source>{count:,} frames</source>
+        <translation>{count:,} 帧</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written</source>
+        <translation>已停止；未写入任何内容</translation>
+    </message>
+    <message>
+        <source>{target}: {count:,} messages</source>
+        <translation>{target}：{count:,} 条消息</translation>
+    </message>
+    <message>
+        <source>{text!r} is no number of seconds, 0 or more</source>
+        <translation>{text!r} 不是秒数（应为不小于 0 的数）</translation>
+    </message>
+    <message>
+        <source>{seconds:.0f} s left</source>
+        <translation>剩余 {seconds:.0f} 秒</translation>
+    </message>
+    <message>
+        <source>nothing tells, and arms in use today speak it</source>
+        <translation>日志中没有依据，而目前使用的机械臂均为这一代</translation>
+    </message>
+    <message>
+        <source>the arm named its firmware {version}</source>
+        <translation>机械臂报告了固件 {version}</translation>
+    </message>
+    <message>
+        <source>the feedback comes every {period:.1f} ms</source>
+        <translation>反馈周期为 {period:.1f} ms</translation>
+    </message>
+    <message>
+        <source>frames that fit only this generation: {this}, only the other: {other}</source>
+        <translation>只符合这一代的帧：{this}，只符合另一代的帧：{other}</translation>
+    </message>
+    <message>
+        <source>{count} frames, {size}</source>
+        <translation>{count} 帧，{size}</translation>
+    </message>
+    <message>
+        <source>{count} frames were lost: the disk was too slow</source>
+        <translation>丢失了 {count} 帧：磁盘太慢</translation>
+    </message>
+    <message>
+        <source>{name!r} is no name for a file; leave out / \ : * ? &quot; &lt; &gt; |</source>
+        <translation>{name!r} 不能用作文件名；请去掉 / \ : * ? &quot; &lt; &gt; |</translation>
+    </message>
+    <message>
+        <source>its faults were not counted: {text}</source>
+        <translation>未能统计其中的故障：{text}</translation>
+    </message>
+    <message>
+        <source>the disk does not answer; its last frames may be missing</source>
+        <translation>磁盘没有响应；最后的帧可能缺失</translation>
+    </message>
+    <message>
+        <source>not one frame was heard; `armui doctor` tells more</source>
+        <translation>一帧也没有收到；更多信息见 `armui doctor`</translation>
+    </message>
+    <message>
+        <source>{count} lost</source>
+        <translation>丢失 {count} 帧</translation>
+    </message>
+    <message>
+        <source>name the bus: --interface and --channel, or --sim</source>
+        <translation>请指定总线：--interface 与 --channel，或 --sim</translation>
+    </message>
+    <message>
+        <source>{text!r} is not within 1 to {most} MB</source>
+        <translation>{text!r} 不在 1 至 {most} MB 之间</translation>
+    </message>
+    <message>
+        <source>{text!r} is no number of seconds</source>
+        <translation>{text!r} 不是秒数</translation>
+    </message>
+    <message>
+        <source>{device} is gone: {text}</source>
+        <translation>{device} 已断开：{text}</translation>
+    </message>
+    <message>
+        <source>`armui doctor` tells more.</source>
+        <translation>更多信息见 `armui doctor`。</translation>
+    </message>
+    <message>
+        <source>0x{can_id:03X} with {count} bytes of data, but another length</source>
+        <translation>0x{can_id:03X} 带有 {count} 字节数据，与所写长度不符</translation>
+    </message>
+    <message>
+        <source>identifier 0x{can_id:X} in a frame whose identifiers have {bits} bits</source>
+        <translation>标识符 0x{can_id:X} 超出该帧的 {bits} 位标识符</translation>
+    </message>
+    <message>
+        <source>their times are in {unit}, read as such</source>
+        <translation>时间以 {unit} 为单位，已按此读取</translation>
+    </message>
+    <message>
+        <source>its time is no number</source>
+        <translation>时间不是数</translation>
+    </message>
+    <message>
+        <source>frame {frame}</source>
+        <translation>第 {frame} 帧</translation>
+    </message>
+    <message>
+        <source>its time is none that a log can have</source>
+        <translation>时间超出日志可能的范围</translation>
+    </message>
+    <message>
+        <source>all frames</source>
+        <translation>所有帧</translation>
+    </message>
+    <message>
+        <source>more than {most} channels; the others are read as one</source>
+        <translation>通道超过 {most} 个；其余的合为一个读取</translation>
+    </message>
+    <message>
+        <source>its parts are no numbers</source>
+        <translation>内容不是数</translation>
+    </message>
+    <message>
+        <source>channel {channel}</source>
+        <translation>通道 {channel}</translation>
+    </message>
+    <message>
+        <source>byte {byte}</source>
+        <translation>第 {byte} 字节</translation>
+    </message>
+    <message>
+        <source>{reason}, after {count} frames</source>
+        <translation>{reason}，在第 {count} 帧之后</translation>
+    </message>
+    <message>
+        <source>damaged here; the next object begins at byte {byte}</source>
+        <translation>此处损坏；下一个对象从第 {byte} 字节开始</translation>
+    </message>
+    <message>
+        <source>an object in this part of the file has {size} bytes, not {least}</source>
+        <translation>文件这一部分中有一个对象只有 {size} 字节，应有 {least} 字节</translation>
+    </message>
+    <message>
+        <source>no CAN log: it does not begin as a BLF file</source>
+        <translation>不是 CAN 日志：文件开头不是 BLF 格式</translation>
+    </message>
+    <message>
+        <source>packed by the unknown method {method}</source>
+        <translation>压缩方法 {method} 未知</translation>
+    </message>
+    <message>
+        <source>an object in this part of the file claims {size} bytes</source>
+        <translation>文件这一部分中有一个对象声称有 {size} 字节</translation>
+    </message>
+    <message>
+        <source>the file breaks off here</source>
+        <translation>文件在此处中断</translation>
+    </message>
+    <message>
+        <source>no object begins here, and none follows</source>
+        <translation>此处没有对象，之后也没有</translation>
+    </message>
+    <message>
+        <source>damaged here ({error})</source>
+        <translation>此处损坏（{error}）</translation>
+    </message>
+    <message>
+        <source>what this part of the file holds is damaged</source>
+        <translation>文件这一部分的内容已损坏</translation>
+    </message>
+    <message>
+        <source>row {row}</source>
+        <translation>第 {row} 行</translation>
+    </message>
+    <message>
+        <source>no CAN log: {error}</source>
+        <translation>不是 CAN 日志：{error}</translation>
+    </message>
+    <message>
+        <source>no CAN log: the database has no table «messages»</source>
+        <translation>不是 CAN 日志：数据库中没有 messages 表</translation>
+    </message>
+    <message>
+        <source>the file is damaged from here on ({error})</source>
+        <translation>文件从此处起已损坏（{error}）</translation>
+    </message>
+    <message>
+        <source>as asked for</source>
+        <translation>按要求</translation>
+    </message>
+    <message>
+        <source>as the recording says</source>
+        <translation>记录中如此说明</translation>
+    </message>
+    <message>
+        <source>{why}; but its end pose fits a {fits}</source>
+        <translation>{why}；但末端位姿更符合 {fits}</translation>
+    </message>
+    <message>
+        <source>its end pose fits</source>
+        <translation>与末端位姿相符</translation>
+    </message>
+    <message>
+        <source>nothing in the log tells</source>
+        <translation>日志中没有依据</translation>
+    </message>
+    <message>
+        <source>{place} cannot be read: {reason}</source>
+        <translation>{place}无法读取：{reason}</translation>
+    </message>
+    <message>
+        <source>{place} contradicts itself: {reason}</source>
+        <translation>{place}自相矛盾：{reason}</translation>
+    </message>
+    <message>
+        <source>no CAN log: nothing in it reads as a frame of a {kind} file</source>
+        <translation>不是 CAN 日志：其中没有能按 {kind} 格式读取的帧</translation>
+    </message>
+    <message>
+        <source>{reason} ({error})</source>
+        <translation>{reason}（{error}）</translation>
+    </message>
+    <message>
+        <source>MF4 is not read: convert it to .asc or .blf with other software, for example asammdf</source>
+        <translation>不读取 MF4：请用其他软件（例如 asammdf）转换为 .asc 或 .blf</translation>
+    </message>
+    <message>
+        <source>unknown kind of log {kind!r}; known are {known}, and these but {plain} with .gz</source>
+        <translation>未知的日志类型 {kind!r}；支持 {known}，以及除 {plain} 外带 .gz 的这些类型</translation>
+    </message>
+    <message>
+        <source>{reason}; it looks like a {kind} file: give it that suffix</source>
+        <translation>{reason}；它像是 {kind} 文件：请改用该后缀</translation>
+    </message>
+    <message>
+        <source>byte {byte} of a block</source>
+        <translation>某一块的第 {byte} 字节</translation>
+    </message>
+    <message>
+        <source>no recording of this program: there is no sidecar beside it</source>
+        <translation>不是本程序的记录：旁边没有附带文件</translation>
+    </message>
+    <message>
+        <source>the file breaks off in a line</source>
+        <translation>文件在一行中间中断</translation>
+    </message>
+    <message>
+        <source>the file breaks off before it</source>
+        <translation>文件在此之前中断</translation>
+    </message>
+    <message>
+        <source>the index beside it does not belong to it</source>
+        <translation>旁边的索引不属于它</translation>
+    </message>
+    <message>
+        <source>what is packed in it is damaged</source>
+        <translation>其中压缩的内容已损坏</translation>
+    </message>
+    <message>
+        <source>line {line}</source>
+        <translation>第 {line} 行</translation>
+    </message>
+    <message>
+        <source>after line {line}</source>
+        <translation>第 {line} 行之后</translation>
+    </message>
+    <message>
+        <source>nothing in so many bytes is a frame; the rest is not read</source>
+        <translation>连续很多字节中没有一帧；其余部分未读取</translation>
+    </message>
+    <message>
+        <source>{text!r} is no angle; give degrees from -{most:g} to {most:g}</source>
+        <translation>{text!r} 不是角度；请给出 -{most:g} 至 {most:g} 之间的度数</translation>
+    </message>
+    <message>
+        <source>it is a folder, not a file</source>
+        <translation>是文件夹，不是文件</translation>
+    </message>
+    <message>
+        <source>it is a pipe, not a file</source>
+        <translation>是管道，不是文件</translation>
+    </message>
+    <message>
+        <source>it is a socket, not a file</source>
+        <translation>是套接字，不是文件</translation>
+    </message>
+    <message>
+        <source>it is a device, not a file</source>
+        <translation>是设备，不是文件</translation>
+    </message>
+    <message>
+        <source>it is something else, not a file</source>
+        <translation>不是文件</translation>
     </message>
     <message>
         <source>a joint reports an excursion of 60° and its return, and stands as far off from then on; 0x150 resume mends it (VALUE: joint)</source>

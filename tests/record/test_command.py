@@ -108,7 +108,7 @@ def test_a_full_disk_ends_it_with_a_word_and_a_code(tmp_path, channel, capsys, m
     words = ["--interface", "virtual", "--channel", channel, "-o", str(tmp_path), "--name", "run"]
     assert run(*words, "--format", "log", "--duration", "30") == EXIT_CUT_SHORT
     monkeypatch.undo()
-    assert "the disk is full" in capsys.readouterr().err
+    assert "The disk of" in capsys.readouterr().err
     assert RecordedSession(tmp_path / "run.log").frames > 0
 
 
@@ -134,7 +134,7 @@ def test_a_device_that_goes_ends_it_with_a_word_and_a_code(tmp_path, channel, ca
         ([], "name the bus"),
         (["--sim", "--interface", "virtual"], "leave out --interface"),
         (["--sim", "--name", "a/b"], "is no name"),
-        (["--interface", "no_such", "--channel", "x"], "cannot open"),
+        (["--interface", "no_such", "--channel", "x"], "needs a Python package"),
     ],
 )
 def test_what_cannot_begin_says_why(capsys, words, said):

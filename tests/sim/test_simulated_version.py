@@ -42,8 +42,7 @@ def test_the_arm_tells_the_version(asked: str | None, told: str) -> None:
         (["--sim", "--firmware", "1.7"], "'1.7' is no firmware version; write it as S-V1.8-9"),
     ],
 )
-def test_what_belongs_to_no_simulated_arm_is_refused(words, reason, capsys, monkeypatch) -> None:
-    monkeypatch.setenv("LC_ALL", "en_US.UTF-8")
+def test_what_belongs_to_no_simulated_arm_is_refused(words, reason, capsys) -> None:
     with pytest.raises(SystemExit) as ended:
         main(words)
     assert ended.value.code == 2

@@ -6,9 +6,12 @@ import argparse
 import inspect
 import io
 import json
+import os
+import pickle
 import re
 import sys
 import unicodedata
+from pathlib import Path
 
 import pytest
 
@@ -17,6 +20,7 @@ from armui.sim.faults.bugs import NAMES as BUG_NAMES
 from armui.sim.faults.schedule import FAULTS
 from armui.system import command_line
 from armui.system.plain_words import translation
+from armui.system.sentence import Told
 
 _WIDTH = 80
 
@@ -158,3 +162,166 @@ def test_one_context_is_read_as_all_are():
 def test_lines_break_at_words_and_before_no_mark():
     assert command_line.wrapped("一二三，四五 MOVE 六", 7) == ["一二", "三，四", "五 MOVE", "六"]
     assert command_line.wrapped("one two three", 7) == ["one two", "three"]
+
+
+# Errors in the operator's language ----------------------------------------------------------------
+
+_COMMANDS_OF_LOGS = ("decode", "export", "replay")
+_BAD = {
+    "gone.log": None,
+    "folder.log": Path.mkdir,
+    "nonsense.log": b"one line\nanother line\n" * 200,
+    "unknown.xyz": b"x",
+    "unpacked.mf4": b"x",
+    "no.blf": b"x" * 400,
+    "looks.log": b"LOGG" + bytes(400),
+    "no.db": b"no database at all, and long enough" * 20,
+    "no.log.gz": b"not packed",
+}
+_DAMAGED = b"(1.0) can0 2A5#0000000000000000\n(1.1) can0 nonsense\n"
+
+
+def the_bad(folder, name):
+    path, content = folder / name, _BAD[name]
+    if isinstance(content, bytes):
+        path.write_bytes(content)
+    elif content is not None:
+        content(path)
+    return path
+
+
+def assert_chinese(said, *names):
+    """Every line is Chinese: no two English words follow one another, names left out."""
+    assert said
+    for name in map(str, names):
+        said = said.replace(name, "…")
+    lines = [line for line in said.splitlines() if not line.startswith((" ", "用法"))]
+    for line in lines:
+        plain = re.sub(r"armui( \w+)*|`[^`]*`|'[^']*'|（ ?choose.*|/ . : . .*", "…", line)
+        assert re.search(r"[\u4e00-\u9fff]", plain), line
+        assert not re.search(r"[A-Za-z]{3,} [a-z]{2,}", plain), line
+
+
+@pytest.mark.parametrize("name", _BAD)
+@pytest.mark.parametrize("command", ["decode", "export"])
+def test_why_it_is_no_log_is_said_in_chinese(capsys, chinese, tmp_path, command, name):
+    path = the_bad(tmp_path, name)
+    assert cli.main([command, str(path)]) == 2
+    assert_chinese(capsys.readouterr().err, path)
+
+
+@pytest.mark.parametrize("name", ["gone.log", "folder.log"])
+def test_why_nothing_can_be_replayed_is_said_in_chinese(capsys, chinese, tmp_path, name):
+    path = the_bad(tmp_path, name)
+    assert cli.main(["replay", str(path)]) == 2
+    assert_chinese(capsys.readouterr().err, path)
+
+
+@pytest.mark.parametrize("command", ["decode", "export"])
+def test_a_damaged_log_is_told_in_chinese(capsys, chinese, tmp_path, command):
+    path = tmp_path / "run.log"
+    path.write_bytes(b"".join(b"(%d.0) can0 2A%d#%016d\n" % (1, n, 0) for n in (5, 6, 7)))
+    path.write_bytes(path.read_bytes() + _DAMAGED)
+    words = ["--to", "csv-messages"] if command == "export" else []
+    assert cli.main([command, str(path), *words]) == 1
+    said = capsys.readouterr().err
+    assert_chinese(said, path)
+    assert "第 5 行无法读取" in said
+
+
+def test_why_nothing_was_exported_is_said_in_chinese(capsys, chinese, tmp_path):
+    log = tmp_path / "run.log"
+    log.write_bytes(_DAMAGED)
+    cases = [
+        (["-o", log], 2),
+        (["--channel", "can7"], 2),
+        (["--to", "csv", "--from", "99"], 2),
+        (["--to", "csv-messages", "-o", tmp_path / "there"], 2),
+        (["-o", tmp_path / "none" / "a.mcap"], 2),
+    ]
+    (tmp_path / "there").mkdir()
+    for words, code in cases:
+        assert cli.main(["export", str(log), *map(str, words)]) == code
+        assert_chinese(capsys.readouterr().err, log, tmp_path)
+
+
+@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may read everything")
+@pytest.mark.parametrize("command", _COMMANDS_OF_LOGS)
+def test_a_closed_log_is_told_in_chinese(capsys, chinese, tmp_path, command):
+    path = tmp_path / "run.log"
+    path.write_bytes(_DAMAGED)
+    path.chmod(0)
+    assert cli.main([command, str(path)]) == 2
+    assert "没有权限" in capsys.readouterr().err
+
+
+def test_why_a_recording_cannot_begin_is_said_in_chinese(capsys, chinese, tmp_path):
+    file = tmp_path / "file"
+    file.write_bytes(b"")
+    simulated = ["--sim", "--duration", "0.2"]
+    cases = [
+        [],
+        ["--sim", "--interface", "socketcan"],
+        ["--interface", "socketcan", "--channel", "no-such-can"],
+        ["--interface", "no-such-adapter", "--channel", "0"],
+        [*simulated, "--name", "a/b"],
+        [*simulated, "-o", str(file / "below")],
+    ]
+    for words in cases:
+        assert cli.main(["record", *words]) == 2
+        assert_chinese(
+            capsys.readouterr().err,
+            tmp_path,
+            "no-such-can",
+            "no-such-adapter",
+            "sudo modprobe",
+            "pip install",
+        )
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("decode", []),
+        ("decode", ["a.log", "--nonsense"]),
+        ("decode", ["a.log", "--generation", "3"]),
+        ("decode", ["a.log", "--firmware", "1.8"]),
+        ("export", []),
+        ("export", ["a.log", "--from", "-1"]),
+        ("export", ["a.log", "--to", "pdf"]),
+        ("export", ["a.log", "--firmware", "1.8"]),
+        ("record", ["--size", "0"]),
+        ("record", ["--duration", "never"]),
+        ("record", ["--format", "pdf"]),
+        ("replay", []),
+        ("replay", ["a.log", "--nonsense"]),
+        ("replay", ["a.log", "--lang", "fr"]),
+    ],
+)
+def test_a_wrong_option_of_a_command_is_told_in_chinese(capsys, chinese, command, words):
+    with pytest.raises(SystemExit) as ended:
+        cli.main([command, *words])
+    assert ended.value.code == 2
+    assert_chinese(capsys.readouterr().err)
+
+
+def test_a_log_is_told_of_in_the_language_of_the_command_line(monkeypatch, capsys, tmp_path):
+    path = tmp_path / "gone.log"
+    for language, says in (("zh", "文件或文件夹不存在"), ("en", "No such file or directory")):
+        words = ["decode", str(path), "--lang", language]
+        monkeypatch.setattr(sys, "argv", ["armui", *words])
+        monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(io.BytesIO(), encoding="utf-8"))
+        assert cli.main(words) == 2
+        assert says in capsys.readouterr().err
+
+
+def test_a_text_remembers_its_sentence():
+    """It does on its way to another process, too."""
+    inner = Told("as asked for")
+    told = pickle.loads(
+        pickle.dumps(
+            Told("{place} cannot be read: {reason}", place=Told("row {row}", row=3), reason=inner)
+        )
+    )
+    assert told == "row 3 cannot be read: as asked for"
+    assert told.said(translation("zh", "CommandLine")) == "第 3 行无法读取：按要求"

@@ -14,7 +14,11 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTranslator
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from armui.session.frames import Damage
+from armui.system.files import error_text
+from armui.system.sentence import Told
 from armui.ui.translation import TranslationMissingError, Translator
+from armui.ui.words.text import sentence, told
 from tests.moments import now
 from tests.translations import NAMES, TS, lupdate, modules, names
 
@@ -190,3 +194,11 @@ def test_a_missing_file_leaves_the_language_as_it_was(qapp: QApplication, tmp_pa
     with pytest.raises(TranslationMissingError, match=r"armui_zh\.qm"):
         translator.set_language("zh")
     assert translator.language == "en"
+
+
+def test_a_sentence_says_a_text_of_the_system_in_its_language(translator):
+    missing = error_text(FileNotFoundError(2, "No such file or directory"))
+    assert sentence("Refusal", "{text}", {"text": missing}) == "No such file or directory"
+    translator.set_language("zh")
+    assert sentence("Refusal", "{text}", {"text": missing}) == "文件或文件夹不存在"
+    assert told(Damage(Told("line {line}", line=3), "'x'", 0).told()) == "第 3 行无法读取：'x'"

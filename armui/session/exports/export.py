@@ -23,6 +23,7 @@ from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
 from armui.session.recording.recorded_session import RecordedSession
 from armui.system.atomic import WholeFile, WholeFolder, remove_abandoned
+from armui.system.files import error_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -164,14 +165,13 @@ def export_log(
         with closing(open_recording(request.log)) as source:
             return _Export(request, source, tell, is_wanted, begun).run()
     except NotALogError as error:
-        raise ExportError(ExportProblem.NO_LOG, str(error)) from error
+        raise ExportError(ExportProblem.NO_LOG, error_text(error)) from error
     except NoSuchChannelError as error:
         raise ExportError(ExportProblem.NO_CHANNEL, str(error)) from error
     except FileExistsError as error:
         raise ExportError(ExportProblem.EXISTS, str(request.target)) from error
     except OSError as error:
-        detail = error.strerror or str(error)
-        raise ExportError(ExportProblem.CANNOT_WRITE, detail) from error
+        raise ExportError(ExportProblem.CANNOT_WRITE, error_text(error)) from error
 
 
 _MOST_DAMAGES_TOLD: Final = 20

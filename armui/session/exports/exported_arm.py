@@ -20,6 +20,7 @@ from armui.session.exports.history import ArmFrameReader, History, TimeSpan
 from armui.session.exports.ros.streams import signals_at
 from armui.session.frames import NOT_OF_THE_ARM
 from armui.session.log_model import ANGLES, END_POSE, detect_generation, told_firmware, told_model
+from armui.system.sentence import Told
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -90,7 +91,7 @@ def look_at(
         looked_at, verdict = detect_generation(batches)
         generation, why = verdict
     else:
-        generation, why, looked_at = wishes.generation, "as asked for", []
+        generation, why, looked_at = wishes.generation, Told("as asked for"), []
     count = sum(map(len, looked_at))
     while count < _FRAMES_LOOKED_AT and (batch := next(batches, None)) is not None:
         looked_at.append(batch)
@@ -196,13 +197,15 @@ def _model(
     said = wish or told
     if said is None:
         model, geometry = candidates[nearest]
-        return model, "its end pose fits" if rows else "nothing in the log tells", "", geometry
+        why = Told("its end pose fits") if rows else Told("nothing in the log tells")
+        return model, why, "", geometry
     own = [place for place, (model, _) in enumerate(candidates) if model.model is said]
     model, geometry = candidates[min(own, key=lambda place: off_mm[place])]
-    why = "as asked for" if wish is not None else "as the recording says"
+    why = Told("as asked for") if wish is not None else Told("as the recording says")
     fits = candidates[nearest][0].name
     if rows and fits != model.name:
-        return model, f"{why}; but its end pose fits a {fits}", fits, geometry
+        why = Told("{why}; but its end pose fits a {fits}", why=why, fits=fits)
+        return model, why, fits, geometry
     return model, why, "", geometry
 
 

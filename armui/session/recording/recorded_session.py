@@ -35,7 +35,8 @@ from armui.session.recording.rows import ROW
 from armui.session.session import REMEMBERED, REMEMBERED_IDS, SessionMark
 from armui.session.source import LogSource
 from armui.session.text_logs import ASC, CANDUMP, read_text_log
-from armui.system.files import open_file, read_file
+from armui.system.files import error_text, open_file, read_file
+from armui.system.sentence import Told
 
 # Reads single blocks of a recording of ours, without what stands before them.
 
@@ -97,7 +98,8 @@ def _whole_lines(data: bytes, builder: BatchBuilder) -> bytes:
     """Drop a last line that was cut: what is left of it may look like a shorter frame."""
     end = data.rfind(b"\n") + 1
     if end < len(data):
-        builder.note(f"byte {end} of a block", "the file breaks off in a line", 0)
+        place = Told("byte {byte} of a block", byte=end)
+        builder.note(place, Told("the file breaks off in a line"), 0)
     return data[:end]
 
 
@@ -186,7 +188,7 @@ class RecordedSession:
             self._blocks = self._present(list(index_file.read_blocks(index)))
             self._read_tail()
         except OSError as error:
-            raise NotALogError(error.strerror or str(error)) from error
+            raise NotALogError(error_text(error)) from error
         self._starts_s = [block.first_s for block in self._blocks]
         self.marks: Sequence[SessionMark] = sidecar.marks_of(self.lines)
 
@@ -282,7 +284,8 @@ class RecordedSession:
                 stream.seek(block.byte)
                 data = stream.read(block.size)
         except OSError as error:
-            self._damages.add(Damage(f"byte {block.byte}", error.strerror or "", block.first))
+            place = Told("byte {byte}", byte=block.byte)
+            self._damages.add(Damage(place, error_text(error), block.first))
             return []
         with self._turn:
             return read_block(data, self._kind, block.file_start_s, self._damages, self._channel)
@@ -298,9 +301,9 @@ class RecordedSession:
             if block.byte + block.size <= sizes[block.file]:
                 found.append(block)
             else:
-                self._damages.add(
-                    Damage(f"byte {block.byte}", "the file breaks off before it", block.first)
-                )
+                place = Told("byte {byte}", byte=block.byte)
+                reason = Told("the file breaks off before it")
+                self._damages.add(Damage(place, reason, block.first))
         return found
 
     def _read_tail(self) -> None:
@@ -319,7 +322,7 @@ class RecordedSession:
                 stream.seek(byte)
                 data = stream.read(_LONGEST_TAIL + 1)
             if len(data) > _LONGEST_TAIL:
-                raise NotALogError("the index beside it does not belong to it")
+                raise NotALogError(Told("the index beside it does not belong to it"))
             self._take_tail(data, number)
             number, byte = number + 1, 0
 
@@ -381,7 +384,7 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]], RecordingFormat]
         kind = sidecar.format_in(lines[0]) if lines and lines[0]["kind"] == "session" else None
         if kind is not None:
             return each, lines, kind
-    raise NotALogError("no recording of this program: there is no sidecar beside it")
+    raise NotALogError(Told("no recording of this program: there is no sidecar beside it"))
 
 
 def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:

@@ -14,7 +14,7 @@ from armui.arm.limits import JOINTS
 from armui.protocol.codes import ALL_JOINTS
 from armui.system import paths
 from armui.system.files import read_file
-from armui.system.sentence import Sentence
+from armui.system.sentence import Sentence, Told
 
 Key = TypeVar("Key")
 Other = TypeVar("Other")
@@ -51,6 +51,8 @@ def _figure(name: str, value: object) -> str:
     """Return a value as the operator reads it: numbers with a fraction get three decimals."""
     if name == "joint" and value == ALL_JOINTS:
         return f"{JOINTS[0]}–{JOINTS[-1]}"
+    if isinstance(value, Told):
+        return told(value)
     text = f"{value:.3f}" if isinstance(value, float) else str(value)
     return listed(text.split(", ")) if _LIST.fullmatch(text) else text
 
@@ -73,6 +75,11 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
 def source_of(what: Sentence) -> str:
     """Return the English of a sentence, also of one known only by its id; "" if there is none."""
     return what.source or _BY_ID.get(what.context, {}).get(what.id, "")
+
+
+def told(text: str) -> str:
+    """Return a text in the operator's language; one that is no `Told` is returned as it is."""
+    return text.said(QCoreApplication.translate) if isinstance(text, Told) else text
 
 
 def said(what: Sentence, params: Mapping[str, object]) -> str:

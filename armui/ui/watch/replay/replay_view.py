@@ -42,6 +42,7 @@ from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import told
 from armui.viewport import palette as scene_palette
 from armui.viewport.robot_shape import pose_rows
 from armui.viewport.strokes import FrameMark
@@ -339,11 +340,11 @@ class ReplayView(Translated, QWidget):
         for place in range(self.generations.count()):
             generation = Generation(self.generations.itemData(place))
             text = self.tr("generation {number}").format(number=int(generation))
-            told = own is not None and own.is_certain and own.generation is generation
-            text += " " + self.tr("(as the recording tells)") if told else ""
+            is_told = own is not None and own.is_certain and own.generation is generation
+            text += " " + self.tr("(as the recording tells)") if is_told else ""
             self.generations.setItemText(place, text)
         if own is not None:
-            tip = f"{int(own.generation)}: {own.reason}"
+            tip = f"{int(own.generation)}: {told(own.reason)}"
             self.generations.setToolTip(tip)
 
     # What is shown ----------------------------------------------------------------------------

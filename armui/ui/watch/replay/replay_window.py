@@ -33,6 +33,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import told
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -386,8 +387,8 @@ class ReplayWindow(ArmDialog):
     def _tell_oddities(self, session: Session) -> None:
         if self._oddities(session):
             self._say(partial(self._oddities, session), Level.WARNING)
-            told = [f"{each.place}: {each.reason}" for each in session.damages[:_MOST_TOLD]]
-            self.message.setToolTip("\n".join(told))
+            lines = [told(each.told()) for each in session.damages[:_MOST_TOLD]]
+            self.message.setToolTip("\n".join(lines))
 
     def _say(self, text: Words, level: Level) -> None:
         self.message.show_message(text, level)
