@@ -18,6 +18,7 @@ from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.system.files import read_file
+from armui.ui.translation import shown_language
 
 _HERE: Final = Path(__file__).parent
 LIGHT_CURVES: Final = (
@@ -35,6 +36,14 @@ _CJK_FAMILIES: Final = (
     "Noto Sans CJK SC",
     "Source Han Sans SC",
     "WenQuanYi Micro Hei",
+)
+_LATIN_FAMILIES: Final = (
+    "Segoe UI",
+    "Helvetica Neue",
+    "Noto Sans",
+    "DejaVu Sans Condensed",
+    "DejaVu Sans",
+    "Liberation Sans",
 )
 _SMALLEST_FONT_PT: Final = 10.0
 _STYLE: Final = "Fusion"
@@ -162,12 +171,27 @@ def curve_colors(widget: QWidget) -> tuple[str, ...]:
 
 
 def ui_font() -> QFont:
-    """Return the system's font, followed by fonts with Chinese glyphs; digits of equal width."""
+    """Return the font of the present language; digits of equal width.
+
+    In English a Latin font for its quotation marks comes first, the system's where that is one,
+    then fonts with Chinese glyphs; in Chinese these come first. A language chosen later gets its
+    font at the next start: Qt has crashed as the application's font changed below open windows.
+    """
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
-    font.setFamilies([*font.families(), *_CJK_FAMILIES])
+    if shown_language() == "zh":
+        font.setFamilies([*_CJK_FAMILIES, *font.families()])
+    else:
+        own = font.families()
+        is_latin = QFontDatabase.hasFamily(own[0]) and not _is_chinese(own[0])
+        font.setFamilies([*(own if is_latin else _LATIN_FAMILIES), *_CJK_FAMILIES])
     font.setPointSizeF(max(font.pointSizeF(), _SMALLEST_FONT_PT))
     font.setFeature(QFont.Tag.fromString("tnum"), 1)
     return font
+
+
+def _is_chinese(family: str) -> bool:
+    chinese = QFontDatabase.WritingSystem.SimplifiedChinese
+    return chinese in QFontDatabase.writingSystems(family)
 
 
 def scaled_font(widget: QWidget, scale: float, *, bold: bool = False) -> QFont:

@@ -6,12 +6,13 @@ from dataclasses import asdict
 from pathlib import Path
 
 import pytest
-from PySide6.QtGui import QColor, QFontMetricsF
+from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QTextLayout
 from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 import armui.ui
 from armui.ui import theme
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme, colors_of, style_sheet, ui_font
+from armui.ui.translation import Translator
 from tests.each import check_each
 
 QSS = Path(theme.__file__).with_name("theme.qss")
@@ -147,6 +148,34 @@ def test_system_theme_follows_the_system(qapp, qtbot):
 def test_figures_are_of_one_width(qapp):
     metrics = QFontMetricsF(ui_font())
     assert len({metrics.horizontalAdvance(digit * 10) for digit in "0123456789"}) == 1
+
+
+@pytest.fixture
+def translator(qapp):
+    translator = Translator(qapp)
+    yield translator
+    translator.set_language("en")
+
+
+def families_of(text):
+    """The fonts that show a text."""
+    layout = QTextLayout(text, ui_font())
+    layout.beginLayout()
+    layout.createLine()
+    layout.endLayout()
+    return {run.rawFont().familyName() for run in layout.glyphRuns()}
+
+
+def is_chinese(family):
+    return QFontDatabase.WritingSystem.SimplifiedChinese in QFontDatabase.writingSystems(family)
+
+
+def test_each_language_has_its_own_font_also_for_quotation_marks(qapp, translator):
+    """Those of a Chinese font are as wide as a character."""
+    assert not any(map(is_chinese, families_of("The “Send” button")))
+    assert any(map(is_chinese, families_of("发送")))
+    translator.set_language("zh")
+    assert all(map(is_chinese, families_of("“发送”按钮")))
 
 
 APPLICATION = """
