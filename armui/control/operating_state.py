@@ -106,6 +106,8 @@ class OperatingState:
         holds: The causes that hold back a motion in the arm.
         held_target_deg: The six target angles of that motion, or ``None`` if unknown.
         cancel_unheeded: The arm was told to end its motion and does not come to rest.
+        may_hold_another: The arm stands short of a target that is not this program's, and may go on
+            to it.
         moving: The arm says that it has not reached its target, is not stopped, and is not
             measured to stand still: a motion cut short stays «not reached» for good. A motion
             held back counts as well.
@@ -151,6 +153,7 @@ class OperatingState:
     holds: frozenset[Hold] = frozenset()
     held_target_deg: tuple[float, ...] | None = None
     cancel_unheeded: bool = False
+    may_hold_another: bool = False
     altering: str | None = None
     run_sets_lamps: bool = False
     pending: frozenset[str] = frozenset()

@@ -10760,6 +10760,10 @@ The other program must have ended.</source>
         <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：各关节一起缓慢移动。</translation>
     </message>
     <message>
+        <source>Another program may have left a motion held back in the arm. Give it up, or go on with it there; the next motion from here drops it.</source>
+        <translation>机械臂中可能留有其他程序暂停的运动。请放弃，或在那里继续；本程序的下一次运动会将其取消。</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>

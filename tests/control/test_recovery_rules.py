@@ -258,6 +258,7 @@ def in_company() -> Iterator[tuple[ArmState, OperatingState]]:
     for phase in set(RunPhase) - OVER:
         state = arm(status(reached=phase is not RunPhase.MOVING))
         yield state, operating_state(state, running=True, run_phase=phase)
+    yield arm(status()), replace(operating_state(arm(status())), may_hold_another=True)
     device = Device("virtual", "test", listen_only=True)
     yield state, operating_state(state, device=device)
 
@@ -283,6 +284,8 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return now.stop is StopState.REQUESTED
     if action is Action.TAKE_OVER:
         return now.other_host is not None and now.other_host.may_be_taken_over
+    if action is Action.GIVE_UP and now.may_hold_another:
+        return True
     if action in {Action.GO_ON, Action.GIVE_UP}:
         return bool(now.holds)
     if action is Action.STOP:

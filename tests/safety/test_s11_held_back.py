@@ -164,7 +164,7 @@ BEGIN = (30.0, 20.0, -20.0, 0.0, 0.0, 0.0)
 
 @pytest.fixture(params=["zero percent", "pause", "lost word to go on", "before this program"])
 def left_by_another(any_rig, request):
-    """An arm that holds back a motion that is not this program's; nobody says so."""
+    """An arm that holds back a motion that is not this program's."""
     rig = any_rig
     other = OtherHost(rig)
     rig.ready()
@@ -211,6 +211,27 @@ def test_what_another_host_left_held_back_is_cancelled_before_a_step(left_by_ano
     assert sent[0] == (0x150, 6)
     assert gone_deg < 0.02
     assert rig.firmware.mechanics.positions_deg[5] == pytest.approx(stood_deg[5] + 1.0, abs=0.02)
+
+
+def test_what_another_host_left_held_back_is_told_with_its_remedy(left_by_another):
+    rig, controller = left_by_another, left_by_another.controller
+    step = controller.recovery.step
+    assert (step.kind, step.action) == (StepKind.LEFT_HELD_BACK, Action.GIVE_UP)
+    stood_deg = rig.firmware.mechanics.positions_deg
+    controller.recovery.act(step, Action.GIVE_UP, controller.mark)
+    rig.run(1.0)
+    assert (0x150, 6) in {(one.arbitration_id, one.data[1]) for one in rig.heard()}
+    assert controller.recovery.step.kind is StepKind.READY
+    assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.02)
+
+
+def test_an_arm_that_has_arrived_where_another_host_sent_it_is_ready(any_rig):
+    rig, other = any_rig, OtherHost(any_rig)
+    rig.ready()
+    other.move_to(BEGIN, 100)
+    rig.run(6.0)
+    assert rig.controller.recovery.step.kind is StepKind.READY
+    other.close()
 
 
 def _five(firmware, stood_deg):

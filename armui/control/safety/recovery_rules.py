@@ -353,5 +353,11 @@ _RULES: Final = (
     ),
     _Rule(StepKind.BELOW_BASE, Level.WARNING, None, below_base),
     _Rule(StepKind.MOVING, Level.INFO, None, when(moves)),
+    _Rule(
+        StepKind.LEFT_HELD_BACK,
+        Level.WARNING,
+        Action.GIVE_UP,
+        when(lambda view: view.operating_state.may_hold_another),
+    ),
     _Rule(StepKind.READY, Level.DONE, None, when(lambda _view: True)),
 )

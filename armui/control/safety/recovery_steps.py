@@ -371,6 +371,11 @@ class StepKind(enum.Enum):
         "The fingertip is {value} mm below the floor. Jog upwards unless there "
         "is nothing there. Settings have a lowest height for motions.",
     )
+    LEFT_HELD_BACK = StepText(
+        "left_held_back",
+        "Another program may have left a motion held back in the arm. Give it up, or go on with it "
+        "there; the next motion from here drops it.",
+    )
     MOVING = StepText("moving", "The arm is moving")
     READY = StepText("ready", "Ready")
 
@@ -403,6 +408,7 @@ UNHINDERED: Final = frozenset(
         StepKind.IN_AREA,
         StepKind.REFERENCE_AGREED,
         StepKind.BELOW_BASE,
+        StepKind.LEFT_HELD_BACK,
         StepKind.MOVING,
         StepKind.READY,
     }
