@@ -18,7 +18,7 @@ from armui.session.session import REMEMBERED, REMEMBERED_IDS, DataRows
 from armui.system.files import open_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Iterator, Mapping
 
     from numpy.typing import NDArray
 
@@ -147,10 +147,15 @@ class IndexedLog:
         folder: The folder of its columns.
         remove: Removes the folder as far as that is possible; called at once, for systems where
             open files may lose their names, and at `close`.
+
+    Attributes:
+        frames, channels, marks, damages, damage_count, reversed_times, cut: See `LogIndex`.
     """
 
     def __init__(self, index: LogIndex, folder: Path, remove: Callable[[], object]) -> None:
-        self._index = index
+        self.frames, self.channels, self.marks = index.frames, index.channels, index.marks
+        self.damages, self.damage_count = index.damages, index.damage_count
+        self.reversed_times, self.cut = index.reversed_times, index.cut
         self._folder = folder
         self._remove = remove
         self._columns: dict[str, NDArray[Any]] = {
@@ -181,41 +186,6 @@ class IndexedLog:
     def end_s(self) -> float:
         """Log time of the last frame."""
         return float(self._times_s[-1]) if self._times_s.size else 0.0
-
-    @property
-    def frames(self) -> int:
-        """The number of frames."""
-        return self._index.frames
-
-    @property
-    def channels(self) -> tuple[Channel, ...]:
-        """The channels that occur."""
-        return self._index.channels
-
-    @property
-    def marks(self) -> Sequence[SessionMark]:
-        """The marks found in the frames, in the order of time."""
-        return self._index.marks
-
-    @property
-    def damages(self) -> Sequence[Damage]:
-        """The damaged places, bounded."""
-        return self._index.damages
-
-    @property
-    def damage_count(self) -> int:
-        """The number of all damaged places."""
-        return self._index.damage_count
-
-    @property
-    def reversed_times(self) -> int:
-        """The number of frames whose time was before that of the preceding one."""
-        return self._index.reversed_times
-
-    @property
-    def cut(self) -> str:
-        """The reason why the rest of the log was not read; see `LogIndex`."""
-        return self._index.cut
 
     def frames_between(self, t0_s: float, t1_s: float) -> Iterator[FrameBatch]:
         """Yield the frames with t0_s <= time < t1_s, in the order of time."""
@@ -260,7 +230,7 @@ class IndexedLog:
         first, last = np.searchsorted(self._long_rows, (begin, end)).tolist()
         return FrameBatch(
             first=begin,
-            channel_names=self._index.channels,
+            channel_names=self.channels,
             long_data=self._long(range(first, last), begin),
             **{name: column[begin:end] for name, column in self._columns.items()},
         )
@@ -273,9 +243,7 @@ class IndexedLog:
             if place < self._long_rows.size and self._long_rows[place] == rows[row]:
                 data = self._long_data[place].tobytes()
                 long_data[row] = data[: int(columns["lengths"][row])]
-        return FrameBatch(
-            first=0, channel_names=self._index.channels, long_data=long_data, **columns
-        )
+        return FrameBatch(first=0, channel_names=self.channels, long_data=long_data, **columns)
 
     def _long(self, places: range, begin: int) -> dict[int, bytes]:
         found = {}
