@@ -18,7 +18,6 @@ from armui.viewport.process_link import (
     PictureFrame,
     ProcessLink,
     RenderRequest,
-    UpToDate,
 )
 from armui.viewport.watch import LONGEST_S, PictureAge
 
@@ -46,7 +45,7 @@ class Picture:
         stride = width * BYTES_PER_PIXEL
         pixels = frame.memory.slot(frame.slot, stride * height)
         self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
-        self.image.setDevicePixelRatio(frame.pixel_ratio)
+        self.image.setDevicePixelRatio(frame.drawn.pixel_ratio)
         # the image has taken the address, and the frame keeps the memory alive: this view of it can
         # go
         pixels.release()
@@ -167,12 +166,10 @@ class PictureClient(QObject):
         if link is not self._link or link is None:
             return  # it comes from a process that was given up meanwhile
         if isinstance(news, PictureFrame):
-            self._is_rough = news.is_rough
-            self._note_shown(news.sequence)
+            self._note_drawn(news.drawn)
             self.frame_ready.emit(Picture(news))
-        elif isinstance(news, UpToDate):
-            self._is_rough = news.is_rough
-            self._note_shown(news.sequence)
+        elif isinstance(news, messages.Drawn):
+            self._note_drawn(news)
         elif isinstance(news, messages.JointPicked):
             self.joint_picked.emit(news.number)
         elif isinstance(news, messages.MarkPicked):
@@ -185,8 +182,9 @@ class PictureClient(QObject):
         elif isinstance(news, Lost):
             self.lost.emit(news)
 
-    def _note_shown(self, sequence: int) -> None:
-        self._age.shown(sequence, time.monotonic())
+    def _note_drawn(self, drawn: messages.Drawn) -> None:
+        self._is_rough = drawn.is_rough
+        self._age.shown(drawn.sequence, time.monotonic())
         self._look_at_age()
 
     def _look_at_clock(self) -> None:

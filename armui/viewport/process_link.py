@@ -93,30 +93,15 @@ class PictureFrame:
 
     Attributes:
         number: The frame's number, for `ProcessLink.frame_used`.
-        sequence: The number of the state in it.
         memory, slot, size_px: Its place in the memory, and its size.
-        pixel_ratio: Device pixels for each logical pixel.
-        is_rough: True if one with smooth edges follows.
-        began_s, ended_s: Beginning and end of the drawing, by the system's monotonic clock.
+        drawn: The answer that it came with.
     """
 
     number: int
-    sequence: int
     memory: FrameMemory
     slot: int
     size_px: tuple[int, int]
-    pixel_ratio: float
-    is_rough: bool
-    began_s: float
-    ended_s: float
-
-
-@dataclass(frozen=True, slots=True)
-class UpToDate:
-    """The last image shows this state as well; see `armui.viewport.messages.Drawn`."""
-
-    sequence: int
-    is_rough: bool
+    drawn: Drawn
 
 
 @dataclass(frozen=True, slots=True)
@@ -406,22 +391,10 @@ class RenderSession:
         # the answer proves that the process has opened the memory: nobody needs its name any more
         memory.unlink_name()
         if drawn.size_px is None:
-            self._tell(UpToDate(drawn.sequence, drawn.is_rough))
+            self._tell(drawn)  # the last image shows this state as well
             return
         number = self._mailbox.result_sent()
-        self._tell(
-            PictureFrame(
-                number,
-                drawn.sequence,
-                memory,
-                self._slot,
-                drawn.size_px,
-                drawn.pixel_ratio,
-                drawn.is_rough,
-                drawn.began_s,
-                drawn.ended_s,
-            )
-        )
+        self._tell(PictureFrame(number, memory, self._slot, drawn.size_px, drawn))
         self._slot = (self._slot + 1) % SLOTS
 
     def check(self) -> None:

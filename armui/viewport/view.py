@@ -526,7 +526,7 @@ class ArmView(QWidget):
 
     def _on_frame_ready(self, picture: Picture) -> None:
         is_first = self._picture is None
-        sequence = picture.frame.sequence
+        sequence = picture.frame.drawn.sequence
         shown = self._asked.get(sequence, self._state)
         self._asked = {each: state for each, state in self._asked.items() if each >= sequence}
         if is_first and shown.camera != self._state.camera:

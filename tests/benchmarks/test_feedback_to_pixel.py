@@ -72,7 +72,7 @@ class Stamps:
 
     def _on_painted(self, picture):
         self._frame_used(picture)
-        now_s, seen = time.monotonic(), picture.frame
+        now_s, seen = time.monotonic(), picture.frame.drawn
         key = self._key_of_sequence.pop(seen.sequence, None)
         if key is None:
             return

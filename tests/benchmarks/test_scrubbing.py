@@ -78,8 +78,8 @@ class Scrubber:
         self.board = window.view.curves.board
         self._client = window.view.view._client
         self._shown = 0, 0.0
-        self._note_shown, self._frame_used = self._client._note_shown, self._client.frame_used
-        self._client._note_shown = self._on_known
+        self._note_drawn, self._frame_used = self._client._note_drawn, self._client.frame_used
+        self._client._note_drawn = self._on_known
         self._client.frame_used = self._on_painted
         self._moved_s = 0.0
         self.replay.moved.connect(self._on_moved)
@@ -87,15 +87,15 @@ class Scrubber:
     def _on_moved(self):
         self._moved_s = time.perf_counter()
 
-    def _on_known(self, sequence):
+    def _on_known(self, drawn):
         """A picture has come, or the one that is painted shows this state, too."""
-        self._note_shown(sequence)
+        self._note_drawn(drawn)
         if not self.view.view._is_frame_new:
-            self._shown = sequence, time.perf_counter()
+            self._shown = drawn.sequence, time.perf_counter()
 
     def _on_painted(self, picture):
         self._frame_used(picture)
-        self._shown = picture.frame.sequence, time.perf_counter()
+        self._shown = picture.frame.drawn.sequence, time.perf_counter()
 
     def jump(self, at_s, *, curves):
         """Seconds from a press until state, picture and curves of a place are seen."""

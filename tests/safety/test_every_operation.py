@@ -162,7 +162,7 @@ def stop_is_heard(driver: Driver) -> None:
     assert [each.frame.arbitration_id for each in stops] == [0x150, 0x160, 0x170]
     assert now[-3:] == stops, "something has left behind it"
     driver.run(0.1)
-    assert driver.arm.stopped
+    assert driver.arm.condition.stopped
 
 
 def halt_is_heard(driver: Driver) -> None:

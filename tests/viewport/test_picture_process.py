@@ -168,8 +168,8 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
     starving.timeout.connect(turn)
     starving.start()
     wait_until(lambda: view._client.looks_old)
-    shown = view._picture.frame.sequence
-    wait_until(lambda: view._picture.frame.sequence > shown + 5)
+    shown = view._picture.frame.drawn.sequence
+    wait_until(lambda: view._picture.frame.drawn.sequence > shown + 5)
     starving.stop()
     os.kill(pid, CONTINUE)
     moving.stop()

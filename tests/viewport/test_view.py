@@ -250,7 +250,7 @@ def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
     view.setUpdatesEnabled(True)
     settle(view, qtbot)
     view._client.frame_ready.disconnect(frames.append)
-    assert frames[-1].frame.sequence == view._client._sequence
+    assert frames[-1].frame.drawn.sequence == view._client._sequence
 
 
 def test_a_view_never_shown_starts_no_process(qtbot):
