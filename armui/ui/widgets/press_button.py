@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Final, NamedTuple
+from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QPen
@@ -41,7 +41,8 @@ class Face:
     has_caption: bool
 
 
-class Inks(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class Inks:
     """The colours of a stop button.
 
     Attributes:
