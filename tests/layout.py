@@ -23,7 +23,7 @@ from typing import Final
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtCore import QCoreApplication, QEvent, qInstallMessageHandler
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 from armui.protocol.generation import Generation
 from armui.setting_checks import Language
@@ -202,7 +202,7 @@ class Shown:
         """Close what was opened, so that the next place is shown as if nothing had been."""
         window = self.driver.window
         for dialog in shown_dialogs():
-            put_back = dialog.findChild(QWidget, "page_put_back")
+            put_back = dialog.findChild(QToolButton, "page_put_back")
             if put_back is None:
                 dialog.close()
             else:

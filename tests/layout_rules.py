@@ -118,7 +118,7 @@ def findings(window: QWidget) -> list[Finding]:
 
 def path(widget: QWidget | None) -> str:
     """Return a widget and what it lies in, by their names, at most five."""
-    names = []
+    names: list[str] = []
     while widget is not None:
         kind, name = type(widget).__name__, widget.objectName()
         names.append(" ".join(filter(None, (kind, name) if not names else (name or kind,))))
@@ -409,7 +409,7 @@ def _room_below(widget: QWidget) -> int:
 
 
 def _gap_in(parent: QWidget, widget: QWidget) -> int:
-    """Return the room in a column that none of its parts needs, less the usual gaps."""
+    """Return the room in a column that no part has; a message keeps its room while it is silent."""
     own = widget.geometry()
     column = [
         each.geometry()
@@ -446,11 +446,10 @@ def _overlaps(window: QWidget, shown: list[QWidget]) -> list[Finding]:
                 words = f"{both.width()}×{both.height()} px lie over {path(other)}"
                 found.append(Finding("covered", path(one), words))
     for stop in (each for each in shown if isinstance(each, _STOPS)):
-        over = {window.childAt(stop.mapTo(window, point)) for point in _points_of(stop.rect())} - {
-            stop,
-            None,
-        }
-        strange = [each for each in over if not stop.isAncestorOf(each)]
+        over = {window.childAt(stop.mapTo(window, point)) for point in _points_of(stop.rect())}
+        strange = [
+            each for each in over if each and each is not stop and not stop.isAncestorOf(each)
+        ]
         found += [Finding("covered", path(stop), f"by {path(each)}") for each in strange]
     return found
 
