@@ -23,6 +23,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import STRETCH, CardArea, in_column
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
+from armui.ui.widgets.tips import keep_in_sight
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
 
@@ -69,6 +70,7 @@ class JointStatusButton(Translated, QAbstractButton):
     def __init__(self, monitor: JointMonitor) -> None:
         super().__init__()
         self.setObjectName("joint_status_button")
+        keep_in_sight(self)
         self._monitor = monitor
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)

@@ -35,6 +35,7 @@ from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import ValueLabel
+from armui.ui.widgets.tips import keep_in_sight
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
 
@@ -152,6 +153,7 @@ class EnableButton(Translated, QAbstractButton):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("enable_button")
+        keep_in_sight(self)
         self._enabled: tuple[bool | None, ...] = (None,) * len(JOINTS)
         self._faulty: tuple[int, ...] = ()
         self._busy: Busy | None = None

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QPushButton, QToolTip
 from armui.control.operations.started import ARM_CHANGED
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
+from armui.ui.widgets.tips import uncover
 from armui.ui.widgets.translated import Translated
 
 if TYPE_CHECKING:
@@ -111,6 +112,7 @@ class HoldButton(Translated, QPushButton):
         if not self._was_held:
             above = self.mapToGlobal(QPoint(0, -2 * self.height()))
             QToolTip.showText(above, self._hint(), self, QRect(), _HINT_MS)
+            uncover()
 
     def _begin_anew(self) -> None:
         self.progress.stop()

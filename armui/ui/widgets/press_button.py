@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
+from armui.ui.widgets.tips import keep_in_sight
 
 _CAPTION_SCALE: Final = 0.82
 
@@ -72,6 +73,7 @@ class PressButton(QPushButton):
         self.setAutoDefault(False)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        keep_in_sight(self)
         self._has_acted = False
         self.pressed.connect(self._on_pressed)
 

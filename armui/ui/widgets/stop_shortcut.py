@@ -6,12 +6,13 @@ import sys
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QDragEnterEvent, QKeyEvent, QMouseEvent, QPaintEvent
+from PySide6.QtGui import QDragEnterEvent, QHelpEvent, QKeyEvent, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.control.run.speed_override import STEP_PERCENT
 from armui.ui.widgets.press_button import PressButton
+from armui.ui.widgets.tips import uncover
 
 STOP_KEYS: Final = frozenset({Qt.Key.Key_F12, Qt.Key.Key_Pause})
 HALT_KEY: Final = Qt.Key.Key_F9
@@ -27,7 +28,7 @@ HALT_KEY_NAME: Final = "F9, ⌘⌫" if _HAS_CHORDS else "F9"
 SLOWER_KEY: Final = Qt.Key.Key_F8
 """The key beside the halt, so that hitting it by mistake slows the arm."""
 
-_LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent)
+_LISTENED_TO: Final = (QKeyEvent, QMouseEvent, QDragEnterEvent, QHelpEvent)
 _PAINTED_WITHIN_MS: Final = 250
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick})
 
@@ -68,7 +69,9 @@ class StopShortcut(QObject):
             return self._on_key(event)
         if kind in _PRESSES and isinstance(event, QMouseEvent):
             return _press_behind_popup(event)
-        if kind == QEvent.Type.DragEnter:
+        if kind == QEvent.Type.ToolTip:
+            QTimer.singleShot(0, self, uncover)  # once it is shown
+        elif kind == QEvent.Type.DragEnter:
             # a drag has a filter of its own that takes every key: go before it
             QTimer.singleShot(0, self, self._go_first)
         return False

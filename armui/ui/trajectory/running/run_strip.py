@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QProgressBar, QSizePolicy, QWidget
 
 from armui.control.motion.abort import RUN_STOPPED
@@ -197,7 +198,8 @@ class RunStrip(HasActs, Translated, QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Go at a press, which reaches what it was meant for."""
-        if event.type() in _PRESSES:
+        # to ask every event of the program for its type would take Python ten times as long
+        if isinstance(event, QMouseEvent | QKeyEvent) and event.type() in _PRESSES:
             QTimer.singleShot(0, self, self.hide)
         return super().eventFilter(watched, event)
 
