@@ -132,6 +132,7 @@ _ONE_PRESS: Final = (
     ("editor.find", "Ctrl+F", Text("EditorAction", "Find and replace")),
     ("editor.jog", "Ctrl+J", Text("EditorAction", "Jog")),
     ("editor.check", "Ctrl+E", Text("EditorAction", "Check")),
+    ("editor.preview", "Ctrl+Shift+E", Text("EditorAction", "Preview")),
     ("editor.send", "F5", Text("RunBar", "Run")),
     ("plots.undo", "Ctrl+Z", Text("PlotBar", "Undo zoom")),
     ("bus.pause", "Ctrl+P", Text("Shortcut", "Pause, continue")),

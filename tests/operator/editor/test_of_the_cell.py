@@ -177,9 +177,8 @@ def test_a_frame_that_the_cell_has_not_is_kept_marked_and_said(editor):
         assert "The cell has no user frame “Table”" in editor.message()
     editor.app_driver.run(0.3)
     sent = {each.arbitration_id for each in editor.app_driver.heard()}
-    # 0x151: the speed was lowered at the press, as this trajectory never ran
-    assert sent.isdisjoint(range(0x152, 0x160))
-    assert editor.app_driver.controller.motion.speed_percent == 20
+    assert sent.isdisjoint(range(0x151, 0x160))
+    assert editor.app_driver.controller.motion.speed_percent == 30, "nothing began"
 
 
 def test_points_of_a_frame_that_is_gone_are_given_another_with_their_figures(editor):

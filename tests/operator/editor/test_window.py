@@ -5,7 +5,9 @@ from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import Waypoint
 from armui.ui.background import Background
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.editor.editor_page import EditorPage
@@ -13,7 +15,7 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.running.preflight import Checks
 from armui.ui.trajectory.running.run_bar import RunChoices
 from tests.app_driver import AtOnce
-from tests.operator.editor.actions import BACK, CTRL, OUT, Editor, notes, to
+from tests.operator.editor.actions import BACK, CTRL, OUT, UP, Editor, notes, to
 
 pytestmark = pytest.mark.styled
 
@@ -225,3 +227,55 @@ def test_the_bar_of_the_preview_is_whole_beside_the_jog_box(app_driver, language
     assert bar.isVisible()
     assert bar.minimumSizeHint().width() <= bar.width()
     assert close.width() >= close.sizeHint().width()
+
+
+# Everything in sight ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_at_1440_every_column_is_in_sight(app_driver, language):
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1440, 900)
+    editor = Editor(app_driver, to((-120.5, 100.0, -100.0, 10.0, 20.0, 15.0)), to(UP))
+    app_driver.run(0.1)
+    assert not editor.table.horizontalScrollBar().isVisible()
+    across = editor.table.horizontalHeader()
+    for column in PointColumn:
+        if not editor.table.isColumnHidden(column):
+            needed_px = across.sectionSizeFromContents(column).width()
+            assert across.sectionSize(column) >= needed_px, column
+            assert across.sectionSize(column) >= editor.table.sizeHintForColumn(column), column
+
+
+def test_the_middle_pose_of_an_arc_is_not_cut(app_driver):
+    middle = (320.0, -150.5, 250.0, -178.5, 85.0, -170.5)
+    arc = Waypoint(MoveMode.MOVE_C, (300.0, 100.0, 250.0, 0.0, 85.0, 0.0), middle=middle)
+    editor = Editor(app_driver, to(OUT), arc)
+    app_driver.run(0.1)
+    cell = editor.table.model().index(1, PointColumn.MIDDLE)
+    wanted, room = editor.table.sizeHintForIndex(cell), editor.table.visualRect(cell)
+    assert wanted.width() <= room.width()
+    assert wanted.height() <= room.height()
+
+
+def test_rows_have_buttons(app_driver):
+    editor = Editor(app_driver, to(OUT), to(UP))
+    editor.choose(0)
+    for button in ("insert_after", "move_down", "move_up", "duplicate", "delete"):
+        assert editor.child(f"editor_{button}").isVisible()
+    app_driver.click(editor.child("editor_duplicate"))
+    assert editor.points == (to(OUT), to(OUT), to(UP))
+    app_driver.click(editor.child("editor_move_down"))
+    assert editor.points == (to(OUT), to(UP), to(OUT))
+    app_driver.click(editor.child("editor_delete"))
+    assert editor.points == (to(OUT), to(UP))
+
+
+def test_the_preview_has_a_button_that_plays_it(app_driver):
+    editor = Editor(app_driver, to(OUT), to(UP))
+    app_driver.click(editor.child("editor_preview"))
+    assert app_driver.find("preview_bar").isVisible()
+    assert app_driver.read("preview_play") == "Pause"
+    app_driver.click("preview_close")
+    app_driver.click(editor.child("editor_check"))
+    assert app_driver.read("preview_play") == "Play", "a check alone plays nothing"

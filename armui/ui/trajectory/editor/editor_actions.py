@@ -30,14 +30,17 @@ _MENU: Final = (
 )
 """The right-button menu of the table, in its groups."""
 
-_BAR: Final = ("save", "undo", "redo", "insert_measured", "jog", "go_to", "find", "check")
+_BAR: Final = (
+    *("save", "undo", "redo", "insert_measured", "jog", "go_to", "find"),
+    *("insert_after", "duplicate", "delete", "move_up", "move_down"),
+)
 
 _EVERYWHERE: Final = "insert_measured"
 """The action whose key counts in every window, so that jogging and inserting need no change of
 window.
 """
 
-_OF_WINDOW: Final = frozenset({"save", "find", "jog", "check"})
+_OF_WINDOW: Final = frozenset({"save", "find", "jog", "check", "preview"})
 """Actions whose keys count anywhere in the editor's window. Undo is not among them: the focused
 widget may have something of its own to undo.
 """
@@ -97,11 +100,14 @@ class EditorActions:
         Args:
             more: Further widgets after them.
         """
-        self._buttons = {name: named(f"editor_{name}", QToolButton()) for name in _BAR}
-        for name, button in self._buttons.items():
-            button.setDefaultAction(self._actions[name])
-            button.setProperty("choice", self._actions[name].isCheckable())
-        return in_flow(*self._buttons.values(), *more)
+        return in_flow(*map(self.button, _BAR), *more)
+
+    def button(self, name: str) -> QToolButton:
+        """Return a new button for an action."""
+        button = self._buttons[name] = named(f"editor_{name}", QToolButton())
+        button.setDefaultAction(self._actions[name])
+        button.setProperty("choice", self._actions[name].isCheckable())
+        return button
 
     def targets(self) -> dict[str, QAction | QToolButton]:
         """Return the target of each action by its name: a button if the bar has one."""

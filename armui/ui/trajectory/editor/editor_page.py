@@ -102,7 +102,7 @@ class EditorJog(Translated, QWidget):
         self._insert.setToolTip(f"{tip} ({self._keys})")
 
 
-_OF_POINTS: Final = ("go_to", "find", "check")
+_OF_POINTS: Final = ("go_to", "find", "check", "preview")
 """Actions that are possible with points only."""
 _NOTE_PX: Final = 200
 """Below this width the note's field moves to a line of its own."""
@@ -127,6 +127,7 @@ class EditorPage(Page):
         insert_wanted: The key to insert the arm's position was pressed, in any window.
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
+        play_wanted: The path that is shown is to be played.
     """
 
     commands = (
@@ -138,6 +139,7 @@ class EditorPage(Page):
     insert_wanted = Signal()
     selected_row_changed = Signal(int)
     preview_wanted = Signal(object)
+    play_wanted = Signal()
 
     def __init__(
         self,
@@ -174,12 +176,14 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
+        self._plays = False
+        self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
             *(controller, checks, choices),
             lambda then: then(self.document.trajectory()),
             lambda then: then(self.document.trajectory()),
+            map(self._actions.button, ("check", "preview")),
         )
-        self._actions = EditorActions(self, self.table, self._handlers())
         EditorHint(self.table, self._actions)
         everywhere = QShortcut(self._actions.keys("insert_measured"), self)
         everywhere.setContext(Qt.ShortcutContext.ApplicationShortcut)
@@ -222,7 +226,8 @@ class EditorPage(Page):
             "undo": partial(self._step, self.document.stack.undo),
             "redo": partial(self._step, self.document.stack.redo),
             "find": self._find_bar.open,
-            "check": self._run_bar.check,
+            "check": self._check,
+            "preview": lambda: self._check(plays=True),
             "jog": self._show_jog,
             "frame": self._choose_frame,
         }
@@ -455,6 +460,11 @@ class EditorPage(Page):
         for name in _OF_POINTS:
             self._actions.allow(name, "" if count else words.refusal(empty))
 
+    def _check(self, *, plays: bool = False) -> None:
+        """Check without running, and then let the ghost go along the path, if wanted."""
+        self._plays = plays
+        self._run_bar.check()
+
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
         self._findings.show_check(checked, accept)
         self.bring_into_sight(self._findings)
@@ -468,6 +478,9 @@ class EditorPage(Page):
         if self.document.saved and checked.whole:
             self._note_check(checked)
         self.preview_wanted.emit(checked)
+        if self._plays:
+            self.play_wanted.emit()
+        self._plays = False
 
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""

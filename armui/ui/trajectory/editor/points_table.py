@@ -25,25 +25,33 @@ from armui.ui.trajectory.editor.points_model import POSES, PointsModel
 from armui.ui.widgets.table_model import chosen_rows
 
 _ROW_PX: Final = 32
+_ARC_ROW_PX: Final = 44
+"""The height of rows with a middle pose, which has two lines."""
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
-    PointColumn.MOVE: 78,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 66),
-    PointColumn.MIDDLE: 104,
-    PointColumn.SPEED: 60,
-    PointColumn.DWELL: 60,
-    PointColumn.GRIPPER: 128,
-    PointColumn.LIGHT: 96,
+    PointColumn.MOVE: 62,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 58),
+    PointColumn.MIDDLE: 126,
+    PointColumn.SPEED: 48,
+    PointColumn.DWELL: 46,
+    PointColumn.GRIPPER: 57,
+    PointColumn.LIGHT: 44,
+    PointColumn.NOTE: 50,
 }
+"""As wide as titles and usual figures, so that every column is in sight beside the picture."""
 _MOST_PX: Final = {
     PointColumn.MOVE: 170,
     **dict.fromkeys((PointColumn(place) for place in VALUES), 84),
+    PointColumn.MIDDLE: 170,
+    PointColumn.SPEED: 64,
+    PointColumn.DWELL: 84,
     PointColumn.GRIPPER: 220,
+    PointColumn.LIGHT: 110,
 }
-"""How wide columns become by themselves, for names of the cell and figures with three digits."""
+"""How wide columns become by themselves, for what stands in them."""
 
 
 class PointsTable(QTableView):
@@ -123,9 +131,10 @@ class PointsTable(QTableView):
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
+        self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
     def make_room(self) -> None:
-        """Widen columns for names of things of the cell, and for long figures."""
+        """Widen columns for what stands in them."""
         for column, most_px in _MOST_PX.items():
             wanted_px = min(self.sizeHintForColumn(column), most_px)
             if wanted_px > self.columnWidth(column):

@@ -115,6 +115,11 @@ class PathPreview(QObject):
         self._scrubbed = False
         self._set(self._shown)
 
+    def play(self) -> None:
+        """Let the ghost go along the path that is shown, from its beginning."""
+        if self._path is not None and self._path.duration_s > 0.0:
+            self._bar.play()
+
     def show_points(
         self, marks: PathPicture | None, row: int | None, ghost_deg: tuple[float, ...] | None
     ) -> None:

@@ -84,6 +84,10 @@ class PreviewBar(HasActs, Translated, QFrame):
             self._slider.show_requested(time_s)
         self._on_moved()
 
+    def play(self) -> None:
+        """Let the ghost go by itself."""
+        self._play.setChecked(True)
+
     def set_shown(self, shown: bool) -> None:
         """Show the bar, or hide it and stop playing."""
         if not shown:

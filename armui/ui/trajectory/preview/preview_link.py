@@ -369,6 +369,7 @@ class PreviewLink(QObject):
 
     def _follow(self, editor: EditorPage) -> None:
         editor.preview_wanted.connect(partial(self._take, editor))
+        editor.play_wanted.connect(self._preview.play)
         editor.selected_row_changed.connect(partial(self._on_row, editor))
         editor.table.selectionModel().currentChanged.connect(partial(self._on_cell, editor))
         self._targets[editor] = PointTarget(editor, self._controller)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -154,6 +154,7 @@ class RunBar(Translated, QWidget):
         content: Passes on the content to run when it is read; ``None`` if there is none, which it
             reports itself.
         quietly: Passes on the same without reporting; its duration is estimated from it.
+        beside: Buttons that stand before 发送.
 
     Signals:
         checked: A :class:`Preflight` and, if the operator has to agree to the run, a function that
@@ -177,9 +178,11 @@ class RunBar(Translated, QWidget):
         choices: RunChoices,
         content: Callable[[Callable[[Content | None], object]], object],
         quietly: Callable[[Callable[[Content | None], object]], object],
+        beside: Iterable[QWidget] = (),
     ) -> None:
         super().__init__()
         self._controller = controller
+        self._beside = tuple(beside)
         self._estimate = RunEstimate(checks, quietly, self._options, self._begins_at, self)
         self._what: object = None
         self._checks = checks
@@ -236,7 +239,7 @@ class RunBar(Translated, QWidget):
         )
         # in one line whatever is told: 发送, and the jog buttons above, stay in their places
         told = in_row((self._effective, 1), self._state, self._call_off, spacing=8, margins=0)
-        fill(told, self._resume, self._send)
+        fill(told, *self._beside, self._resume, self._send)
         in_column(options, told, on=self, spacing=8, margins=0)
 
     def command_targets(self, place: str) -> Mapping[str, Target]:
