@@ -114,6 +114,7 @@ class EventObserver:
         self._traffic: OtherTraffic | None = None
         self._over_s: dict[int, float] = {}
         self._forgot_s = -math.inf
+        self._silent_since_s: float | None = None
 
     def observe(
         self,
@@ -151,7 +152,7 @@ class EventObserver:
         self._switched = None
         self._best_hz, self._last_hz = 0.0, None
         self._limits = ()
-        self._forgot_s = now_s
+        self._forgot_s, self._silent_since_s = now_s, None
         return ended
 
     # What the arm says ------------------------------------------------------------------------
@@ -168,9 +169,17 @@ class EventObserver:
                     change = _fault(key, heard.at_s, GRIPPER_FAULT, figures)
                     yield from self._follow(change, on=heard.values[fault.value] == 1)
         elif heard.name == h.GAP:
-            yield from self.forget(heard.at_s)
+            yield from self._on_gap(heard.at_s)
         elif heard.name == h.RATE:
             yield from self._on_rate(heard.values["hz"], heard.at_s)
+
+    def _on_gap(self, at_s: float) -> Iterator[EventChange]:
+        """End everything but the status: one that is the same afterwards is one, as of a stop."""
+        lasting = {key: since_s for key, since_s in self._going_on.items() if _is_status(key)}
+        ended = self.forget(at_s)
+        yield from (each for each in ended if each.key not in lasting)
+        self._going_on.update(lasting)
+        self._silent_since_s = at_s
 
     def _on_status(self, values: Mapping[str, float], at_s: float) -> Iterator[EventChange]:
         for signal, observed, figure, plain in _MODES:
@@ -181,8 +190,12 @@ class EventObserver:
                     codes = {figure: int(mode), "before": None if before is None else int(before)}
                     yield EventChange(EventPhase.HAPPENED, observed, at_s, observed, params=codes)
         status = int(values["Status"])
-        for key in [key for key in self._going_on if _is_another_status(key, status)]:
-            yield from self._end(key, at_s)
+        for key in [key for key in self._going_on if _is_status(key, status)]:
+            del self._going_on[key]
+            silent_s = self._silent_since_s
+            ended_s = at_s if silent_s is None else silent_s
+            yield EventChange(EventPhase.ENDED, key, ended_s, unheard=silent_s is not None)
+        self._silent_since_s = None
         if status != ArmStatusCode.NORMAL:
             level = STATUS_LEVELS.get(status, Level.FAULT)
             change = _fault(("status", status), at_s, ARM_STATUS, {"status": status}, level)
@@ -361,5 +374,5 @@ def _frames(
     return EventChange(EventPhase.BEGAN, key, at_s, observed, kind, who, level, params, count)
 
 
-def _is_another_status(key: Hashable, status: int) -> bool:
-    return isinstance(key, tuple) and key[0] == "status" and key[1] != status
+def _is_status(key: Hashable, other_than: int = ArmStatusCode.NORMAL) -> bool:
+    return isinstance(key, tuple) and key[0] == "status" and key[1] != other_than

@@ -151,6 +151,23 @@ TABLE = {
             (HAPPENED, "motors_on", 9.0, {"joints": (3,)}),
         ],
     ),
+    "a stop over a silence": (
+        [status(1.0, Status=1), StatusChange(1.0, GAP, {}), status(9.0, Status=1)],
+        [
+            (HAPPENED, "control_mode", 1.0, {"mode": 0, "before": None}),
+            (BEGAN, "arm_status", 1.0, {"status": 1}),
+            (HAPPENED, "control_mode", 9.0, {"mode": 0, "before": None}),
+        ],
+    ),
+    "a stop that ends in a silence": (
+        [status(1.0, Status=1), StatusChange(1.5, GAP, {}), status(9.0, Status=0)],
+        [
+            (HAPPENED, "control_mode", 1.0, {"mode": 0, "before": None}),
+            (BEGAN, "arm_status", 1.0, {"status": 1}),
+            (HAPPENED, "control_mode", 9.0, {"mode": 0, "before": None}),
+            (ENDED, None, 1.5, {}),
+        ],
+    ),
     "a rate that drops and comes back": (
         [
             StatusChange(2.0 * n, RATE, {"hz": hz})
