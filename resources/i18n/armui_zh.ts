@@ -3835,6 +3835,10 @@
         <translation>已急停</translation>
     </message>
     <message>
+        <source>Disable…</source>
+        <translation>失能…</translation>
+    </message>
+    <message>
         <source>Fault: {joints}</source>
         <translation>故障：{joints}</translation>
     </message>

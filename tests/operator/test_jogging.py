@@ -6,6 +6,7 @@ from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
+from tests.accepted import accepted
 from tests.control.jogger import TICK_S, bend, hold, rest_s
 from tests.generations import ONE_IS_ENOUGH
 
@@ -19,6 +20,21 @@ def arm_repeats():
 
 def angles(app_driver):
     return [round(angle, 3) for angle in app_driver.firmware.joints_deg]
+
+
+def test_a_held_jog_says_its_speed_and_a_step_its_step(any_driver):
+    """12.9 °/s at 100 % for a joint at the factory's acceleration; 60 mm/s, 12 °/s of the tool."""
+    bend(any_driver)
+    any_driver.click("menu_motion")
+    assert any_driver.read("jog_step_label") == "Step"
+    choose_continuous(any_driver)
+    assert any_driver.read("jog_step_label") == "12.9°/s"
+    accepted(any_driver.controller.motion.set_speed_percent(50.0))
+    any_driver.run(0.2)
+    assert any_driver.read("jog_step_label") == "6.4°/s"
+    any_driver.click("menu_cartesian")
+    choose_continuous(any_driver, "tool_step")
+    assert any_driver.read("tool_step_label") == "30.0 mm/s, 6.0°/s"
 
 
 def choose_continuous(app_driver, step_box="jog_step"):

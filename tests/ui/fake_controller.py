@@ -17,6 +17,7 @@ from armui.arm.state import ArmState, GripperState
 from armui.control.devices.gripper_ranges import Figures, gripper_figures
 from armui.control.events import Event, Level
 from armui.control.link.arm_mark import ArmMark
+from armui.control.motion.jog_pace import Pace
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import OperatingState
@@ -272,6 +273,9 @@ class FakeJogging:
         if self.active:
             self._controller.calls.append(("jog_stop",))
         self.active = False
+
+    def present_pace(self) -> Pace:
+        return Pace(share=1.0, speeds_deg_s=(10.0,) * 6, leads_deg=(1.0,) * 6, arm_percent=10)
 
 
 class FakeLights:

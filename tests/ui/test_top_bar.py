@@ -207,7 +207,10 @@ def test_a_click_enables_unless_all_are_enabled(enable, controller, qtbot, marks
 
 
 def test_disabling_says_first_that_the_arm_drops(bar, enable, controller, qtbot):
+    controller.be(operating_state(enabled=(False,) * 6))
+    assert enable.offer == ""
     controller.be(operating_state())
+    assert enable.offer == "Disable…"
     qtbot.mouseClick(enable, LEFT)
     assert controller.calls == []
     (question,) = bar.findChildren(ConfirmDialog)

@@ -19,6 +19,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.devices.gripper_ranges import Figures
 from armui.control.events import Event
 from armui.control.link.arm_mark import ArmMark
+from armui.control.motion.jog_pace import Pace
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.motion.steered_path import SteeredJog
 from armui.control.operating_state import OperatingState
@@ -70,6 +71,7 @@ class Jogging(Protocol):
     def steered(self) -> SteeredJog | None: ...
     def start(self, jog: JointJog | ToolJog | SteeredJog) -> Started | Refusal | None: ...
     def stop(self) -> None: ...
+    def present_pace(self) -> Pace: ...
 
 
 class Cartesian(Protocol):

@@ -29,7 +29,7 @@ from armui.cell.user_frames import UserFrame
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.abort import abort_motion
-from armui.control.motion.jog_pace import accelerations, pace
+from armui.control.motion.jog_pace import Pace, accelerations, pace
 from armui.control.motion.jog_path import (
     JogPath,
     JointJog,
@@ -362,19 +362,24 @@ class Jogging(ControllerPart):
             )
         return ToolJogPath(jog, cartesian.kinematics(), base_deg, cartesian.tool, limits)
 
+    def present_pace(self) -> Pace:
+        """Return the limits of a jog at the operator's present speed."""
+        operating_state = self._context.operating_state()
+        return pace(
+            self._motion.speed_percent,
+            operating_state.limits,
+            accelerations(
+                self._context.state().accelerations_deg_s2,
+                model_data(operating_state.model).accelerations_deg_s2,
+            ),
+        )
+
     def _go_on(
         self, hold: _Hold, stream: JogStream, measured_deg: Sequence[float], dt_s: float
     ) -> None:
         context = self._context
         operating_state = context.operating_state()
-        present = pace(
-            self._motion.speed_percent,
-            operating_state.limits,
-            accelerations(
-                context.state().accelerations_deg_s2,
-                model_data(operating_state.model).accelerations_deg_s2,
-            ),
-        )
+        present = self.present_pace()
         reason = stream.advance_setpoint(measured_deg, dt_s, present)
         if reason is not None and reason.reason == JOG_NOT_FOLLOWING:
             if not context.connection.newest.in_time(context.clock()):

@@ -179,6 +179,11 @@ class EnableButton(Translated, QAbstractButton):
         """True if a click would disable: all six are enabled."""
         return all(self._enabled)
 
+    @property
+    def offer(self) -> str:
+        """What a click does, as the second line; "" while the next step says it."""
+        return self.tr("Disable…") if self.turns_off and self._stands() == "enabled" else ""
+
     def show_faults(self, joints: tuple[int, ...]) -> None:
         """Let the marks of these joints warn of a fault that the arm reports."""
         if joints != self._faulty:
@@ -249,9 +254,12 @@ class EnableButton(Translated, QAbstractButton):
         painter.setFont(scaled_font(self, 1.0, bold=True))
         painter.setPen(QColor(ink))
         area = QRectF(_PAD_PX, 0, self._word_width() + 2, self.height())
-        painter.drawText(
-            area, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, self.text()
-        )
+        left_middle = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
+        if self.offer:
+            painter.drawText(area.adjusted(0, 0, 0, -self.height() / 2.5), left_middle, self.text())
+            painter.setFont(scaled_font(self, 0.85))
+            area.adjust(0, self.height() / 2.5, 0, 0)
+        painter.drawText(area, left_middle, self.offer or self.text())
         left = self.width() - _PAD_PX - len(JOINTS) * (_MARK_PX + _GAP_PX) + _GAP_PX
         painter.setFont(scaled_font(self, 0.85, bold=True))
         for joint, enabled in zip(JOINTS, self._enabled, strict=True):

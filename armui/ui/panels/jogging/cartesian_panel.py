@@ -191,6 +191,8 @@ class CartesianPanel(JogPanel):
         preferences: The settings, which keep the tool.
     """
 
+    _of_joints = False
+
     commands = (
         Command("cartesian.base", Text("FrameChoice", "Base frame")),
         Command("cartesian.tool", Text("FrameChoice", "Tool frame")),

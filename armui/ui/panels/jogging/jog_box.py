@@ -21,7 +21,7 @@ from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.freshness import is_stale
-from armui.ui.panels.jogging.jog_panel import JogRow, StepBox
+from armui.ui.panels.jogging.jog_panel import JogRow, StepBox, held_speed
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import (
     caption,
@@ -317,6 +317,15 @@ class JogBox(Translated, QFrame):
     def _on_step(self) -> None:
         for cell in self._cells:
             cell.set_continuous(self._steps.continuous)
+        self._show_speed()
+
+    def _show_speed(self) -> None:
+        """Show how fast a held jog goes; a step goes by the percentage of the arm's own speed."""
+        of_joints = self.kind is JogKind.JOINTS
+        percent = f"{round(self._controller.operating_state.speed_percent)} %"
+        held = self._steps.continuous and self.kind is not JogKind.GRIPPER
+        speed = held_speed(self._controller, of_joints=of_joints) if held else percent
+        self._speed.setText(speed)
 
     # Jogging ----------------------------------------------------------------------------------
 
@@ -373,7 +382,7 @@ class JogBox(Translated, QFrame):
 
     def _show_all(self) -> None:
         operating_state = self._controller.operating_state
-        self._speed.setText(f"{round(operating_state.speed_percent)} %")
+        self._show_speed()
         why_not = words.why_not(operating_state.cannot_move)
         for cell in self._cells:
             cell.allow_jog(why_not)

@@ -15,8 +15,10 @@ from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.zeroing import ZEROING_ENDED
 from armui.control.events import Event
+from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S
 from armui.control.motion.jogging import JOG_ENDED
 from armui.control.operating_state import OperatingState
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets import painting
@@ -372,6 +374,15 @@ def _key(text: str) -> int:
     return int(named) if named is not None else ord(text)
 
 
+def held_speed(controller: ArmController, *, of_joints: bool) -> str:
+    """Return how fast a held jog goes at the present speed, as text."""
+    pace = controller.jogging.present_pace()
+    if of_joints:
+        return f"{fmt.number(max(pace.speeds_deg_s), 1)}°/s"
+    length, angle = (fmt.number(pace.share * most, 1) for most in (TOOL_MM_S, TOOL_DEG_S))
+    return f"{length} mm/s, {angle}°/s"
+
+
 class JogPanel(Panel):
     """A card of targets, and two ways to jog: − and + beside them, and keys.
 
@@ -388,6 +399,8 @@ class JogPanel(Panel):
     """
 
     _rows: Sequence[TargetRow]
+    _of_joints = True
+    """False if it moves the tool."""
 
     def __init__(
         self,
@@ -402,7 +415,7 @@ class JogPanel(Panel):
         super().__init__(controller, message_name)
         self._followed_s = 0.0
         self._numbers = tuple(numbers)
-        self._step_label = QLabel()
+        self._step_label = named(f"{name}_step_label", QLabel())
         self._step_box = named(f"{name}_step", StepBox(write_step))
         self._step_label.setBuddy(self._step_box)
         self._keys = choice_button(f"{name}_keys_button")
@@ -598,6 +611,9 @@ class JogPanel(Panel):
         for row in self._rows:
             row.allow_jog(why_not)
         self._key_pad.allow(why_not)
+        held = self._step_box.continuous
+        speed = held_speed(self._controller, of_joints=self._of_joints) if held else ""
+        self._step_label.setText(speed or self.tr("Step"))
         return why_not
 
     def _show_message(self) -> None:
@@ -606,7 +622,6 @@ class JogPanel(Panel):
 
     def retranslate_ui(self) -> None:
         """Set the texts of the head in the operator's language."""
-        self._step_label.setText(self.tr("Step"))
         self._step_box.setAccessibleName(self.tr("Step of − and +"))
         self._keys.setText(self.tr("Keyboard"))
         tip = self.tr("Jog by keys, with the space bar held as dead-man key")
