@@ -11,6 +11,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QObject,
     QPersistentModelIndex,
+    QSize,
     Qt,
 )
 from PySide6.QtWidgets import (
@@ -102,6 +103,13 @@ def chosen_rows(view: QAbstractItemView) -> list[int]:
     """Return the rows with chosen cells, from top to bottom; no cell is asked for it."""
     ranges = view.selectionModel().selection().toList()
     return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
+
+
+def rows_hint(table: QTableView, count: int) -> QSize:
+    """Return the least size of a table that shows so many whole rows below its titles."""
+    rows_px = count * table.verticalHeader().defaultSectionSize() + 2 * table.frameWidth()
+    bar_px = table.horizontalScrollBar().sizeHint().height()
+    return QSize(0, table.horizontalHeader().sizeHint().height() + rows_px + bar_px)
 
 
 def list_rows(table: QTableView) -> QHeaderView:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import pytest
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QListWidget, QWidget
@@ -12,7 +13,7 @@ from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.viewport.path_picture import NOTHING
 from tests.app_driver import Slow
-from tests.operator.library.actions import POINT
+from tests.operator.library.actions import POINT, LibraryDriver
 
 
 def test_the_list_tells_of_each(driver):
@@ -181,3 +182,15 @@ def test_a_check_that_waits_and_its_path_belong_to_the_chosen_row(driver):
     assert marks(driver)["far"] == "✓ checked"
     assert driver.app_driver.program.view._state.preview == NOTHING
     assert not driver.app_driver.find("preview_bar").isVisible()
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_with_the_drawer_open_whole_rows_are_seen(app_driver, language):
+    app_driver.store.change(language=language)
+    driver = LibraryDriver(app_driver, "one", "three", "two")
+    app_driver.click("events_button")
+    app_driver.run(0.2)
+    table = driver.table
+    assert app_driver.find("drawer").isVisible()
+    assert table.viewport().height() >= 3 * table.rowHeight(0)

@@ -182,7 +182,7 @@ class EditorPage(Page):
             *(controller, checks, choices),
             lambda then: then(self.document.trajectory()),
             lambda then: then(self.document.trajectory()),
-            map(self._actions.button, ("check", "preview")),
+            beside=map(self._actions.button, ("check", "preview")),
         )
         EditorHint(self.table, self._actions)
         everywhere = QShortcut(self._actions.keys("insert_measured"), self)

@@ -10,6 +10,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QPoint,
     QRect,
+    QSize,
     Qt,
     Signal,
 )
@@ -22,7 +23,7 @@ from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.editor.point_delegate import PointDelegate, TextEditor
 from armui.ui.trajectory.editor.points_model import POSES, PointsModel
-from armui.ui.widgets.table_model import chosen_rows
+from armui.ui.widgets.table_model import chosen_rows, rows_hint
 
 _ROW_PX: Final = 32
 _ARC_ROW_PX: Final = 44
@@ -114,9 +115,12 @@ class PointsTable(QTableView):
         across.setSelectionModel(QItemSelectionModel(self.points, across))
         across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
-        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return room for some whole rows; the page scrolls before."""
+        return rows_hint(self, _LEAST_ROWS)
 
     def _on_number_menu(self, at: QPoint) -> None:
         """Show the same actions beside a row's number, for that row."""

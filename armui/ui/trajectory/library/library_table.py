@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Final
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QTableView
 
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.table_model import TableHint, list_rows
+from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint
 
 _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3
@@ -44,11 +44,13 @@ class LibraryTable(QTableView):
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
-        across = list_rows(self)
-        across.setStretchLastSection(True)
-        self.setMinimumHeight(_LEAST_ROWS * _ROW_PX + across.sizeHint().height())
+        list_rows(self).setStretchLastSection(True)
         for column, width_px in _WIDTHS_PX.items():
             self.setColumnWidth(column, width_px)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return room for some whole rows; the page scrolls before."""
+        return rows_hint(self, _LEAST_ROWS)
 
     def chosen(self) -> list[IndexEntry]:
         """Return the selected entries, from top to bottom."""

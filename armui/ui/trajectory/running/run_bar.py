@@ -178,6 +178,7 @@ class RunBar(Translated, QWidget):
         choices: RunChoices,
         content: Callable[[Callable[[Content | None], object]], object],
         quietly: Callable[[Callable[[Content | None], object]], object],
+        *,
         beside: Iterable[QWidget] = (),
     ) -> None:
         super().__init__()
