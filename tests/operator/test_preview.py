@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QListWidget, QWidget
 
 from armui.control.motion.jog_path import JointJog
 from armui.control.run.progress import OVER, Run
@@ -31,6 +32,11 @@ if TYPE_CHECKING:
 OUT = (20.0, 40.0, -40.0, 10.0, 20.0, 15.0)
 BACK = (-15.0, 30.0, -30.0, -10.0, 30.0, -20.0)
 BEYOND = (170.0, *OUT[1:])
+
+
+FOLDED = (-16.0, 81.0, -2.0, 51.0, 31.0, 59.0)
+TURNED = (9.0, 93.0, -7.0, -63.0, 70.0, 117.0)
+"""Between the two the arm hits itself; at both it is free."""
 
 
 class Operator:
@@ -344,3 +350,28 @@ def test_the_trail_is_where_the_arm_was_measured(app_driver):
     app_driver.run(1.0)
     assert len(view.trails) == told  # nor does a picture that nobody sees
     app_driver.controller.state_changed.disconnect(follow)
+
+
+@pytest.mark.parametrize("of", ["editor", "library"])
+def test_a_finding_that_is_pressed_shows_where_the_arm_would_touch(app_driver, of):
+    at = Operator(app_driver, FOLDED, TURNED)
+    if of == "editor":
+        page = at.editor
+        at.check()
+    else:
+        page = at.editor.above
+        at.editor.leave()
+        page._table.choose(["Test"])
+        app_driver.click(page.findChild(QWidget, "run_send"))
+    found = page.findChild(QListWidget, "findings_list")
+    item = next(each for each in map(found.item, range(found.count())) if "hit" in each.text())
+    finding = item.data(Qt.ItemDataRole.UserRole)
+    place = found.visualItemRect(item).center()
+    QTest.mouseClick(found.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert at.shown.ghost_deg == pytest.approx(finding.joints_deg)
+    away = np.abs(np.subtract(at.shown.ghost_deg, (FOLDED, TURNED))).max(axis=1)
+    assert away.min() > 5.0, "on the way, not at one of the points"
+    app_driver.run(0.3)
+    assert at.shown.ghost_deg == pytest.approx(finding.joints_deg), "it stays"
+    mark = next(each for each in at.shown.path.findings if each.is_error)
+    assert mark.text == item.text().partition(": ")[2]

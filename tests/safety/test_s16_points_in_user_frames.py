@@ -55,7 +55,7 @@ def run(rig, *points):
     """Check and run points, and wait for the end."""
     found = checked(rig, *points)
     assert found.errors == 0
-    assert Runner(rig.controller).start(found) is None
+    assert Runner(rig.controller).start(found, 30) is None
     rig.run_until(lambda: not rig.controller.player.running, 30.0)
     assert rig.controller.player.progress.phase is RunPhase.DONE
 
@@ -125,7 +125,7 @@ def test_another_cell_between_check_and_run_outdates_the_check(rig):
 def test_no_frame_is_changed_while_a_run_goes_on(rig):
     bend(rig)
     accepted(rig.controller.cell.take(BENCH))
-    assert Runner(rig.controller).start(checked(rig, replace(TAUGHT, speed_percent=5))) is None
+    assert Runner(rig.controller).start(checked(rig, replace(TAUGHT, speed_percent=5)), 30) is None
     rig.run(0.4)
     answer = rig.controller.cell.change(OTHERS["moved"])
     assert answer.reason == RUN_UNDER_WAY
@@ -139,7 +139,7 @@ def test_nothing_runs_while_the_cell_is_not_confirmed(rig):
     rig.heard()
     found = checked(rig, TAUGHT)
     assert found.errors == 0
-    answer = Runner(rig.controller).start(found)
+    answer = Runner(rig.controller).start(found, 30)
     assert (answer.reason, answer.params) == (CELL_NOT_CONFIRMED, {"name": "bench"})
     rig.run(0.3)
     assert [each for each in rig.heard() if each.arbitration_id in MOTION] == []
@@ -149,7 +149,7 @@ def test_another_host_refuses_and_ends_a_run_as_ever(rig, other_host):
     bend(rig)
     accepted(rig.controller.cell.take(BENCH))
     slowly = replace(TAUGHT, speed_percent=5)
-    assert Runner(rig.controller).start(checked(rig, slowly)) is None
+    assert Runner(rig.controller).start(checked(rig, slowly), 30) is None
     rig.run(0.4)
     other_host.move_to(rig.firmware.joints_deg, 5)
     rig.run_until(lambda: not rig.controller.player.running)
@@ -157,7 +157,7 @@ def test_another_host_refuses_and_ends_a_run_as_ever(rig, other_host):
     found = checked(rig, slowly)
     assert found.errors == 0
     rig.heard()
-    assert Runner(rig.controller).start(found).reason == OTHER_HOST
+    assert Runner(rig.controller).start(found, 30).reason == OTHER_HOST
     ours = [each for each in rig.heard() if each.arbitration_id in MOTION]
     assert ours == []
 

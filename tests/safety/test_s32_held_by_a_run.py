@@ -95,7 +95,7 @@ def test_a_run_says_what_the_hand_holds_as_it_arrives(table):
     aside = joint(BENT_DEG[0] + 15.0, *BENT_DEG[1:])
     found = checked(table, holds(aside, "bar"), holds(HERE, ""))
     assert found.errors == 0
-    assert Runner(table.controller).start(found) is None
+    assert Runner(table.controller).start(found, 30) is None
     cell = table.controller.cell
     assert cell.cell.held == ""
     table.run_until(lambda: table.controller.player.progress.index == 1)
@@ -111,7 +111,7 @@ def test_a_run_says_what_the_hand_holds_as_it_arrives(table):
 
 def test_a_run_that_is_cut_off_leaves_what_it_has_said(table):
     aside = joint(BENT_DEG[0] + 15.0, *BENT_DEG[1:])
-    assert Runner(table.controller).start(checked(table, holds(aside, "bar"), HERE)) is None
+    assert Runner(table.controller).start(checked(table, holds(aside, "bar"), HERE), 30) is None
     table.run_until(lambda: table.controller.player.progress.index == 1)
     table.controller.emergency_stop()
     table.run(0.3)

@@ -17,7 +17,7 @@ from armui.control.run.replay import RUN_EMPTY
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.folders import shown_folder
-from armui.trajectory.planning.findings import Severity
+from armui.trajectory.planning.findings import Finding, Severity
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Values, Waypoint, frames_in, speeds_of
 from armui.ui import words
@@ -128,6 +128,7 @@ class EditorPage(Page):
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
         play_wanted: The path that is shown is to be played.
+        finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
     """
 
     commands = (
@@ -140,6 +141,7 @@ class EditorPage(Page):
     selected_row_changed = Signal(int)
     preview_wanted = Signal(object)
     play_wanted = Signal()
+    finding_wanted = Signal(object)
 
     def __init__(
         self,
@@ -261,7 +263,7 @@ class EditorPage(Page):
         self._run_bar.started.connect(self._on_started)
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_jogged)
-        self._findings.row_wanted.connect(self.table.select_row)
+        self._findings.finding_wanted.connect(self._show_finding)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self.document.changed.connect(self._on_points)
         self._controller.cell_changed.connect(self._on_cell_changed)
@@ -481,6 +483,12 @@ class EditorPage(Page):
         if self._plays:
             self.play_wanted.emit()
         self._plays = False
+
+    def _show_finding(self, finding: Finding) -> None:
+        """Select the row of a finding, and have the ghost stand where it is."""
+        if finding.row is not None:
+            self.table.select_row(finding.row)
+        self.finding_wanted.emit(finding)
 
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""

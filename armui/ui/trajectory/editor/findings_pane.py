@@ -1,4 +1,4 @@
-"""Lists the findings of a check: a line for each, and a click leads to its row."""
+"""Lists the findings of a check: a line for each, and a click leads to its row and its place."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ class FindingsPane(HasActs, Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is none.
 
     Signals:
-        row_wanted: The row of the finding that was clicked.
+        finding_wanted: The :class:`Finding` that was clicked.
         dismissed: It was closed without an answer.
     """
 
-    row_wanted = Signal(int)
+    finding_wanted = Signal(object)
     dismissed = Signal()
     accept_button = Act("Run now", named="accept_warnings", primary=True)
     _close_button = Act("Close", named="findings_close")
@@ -147,15 +147,15 @@ class FindingsPane(HasActs, Translated, QWidget):
             text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
         kind = self.tr("✕ Error") if error else self.tr("! Warning")
         item = QListWidgetItem(f"{kind} · {text}")
-        item.setData(Qt.ItemDataRole.UserRole, finding.row)
+        item.setData(Qt.ItemDataRole.UserRole, finding)
         colors = colors_of(self)
         item.setForeground(QColor(colors.stop_ink if error else colors.warn))
         return item
 
     def _on_current(self, item: QListWidgetItem | None, *_: object) -> None:
-        row = None if item is None else item.data(Qt.ItemDataRole.UserRole)
-        if row is not None:
-            self.row_wanted.emit(row)
+        finding = None if item is None else item.data(Qt.ItemDataRole.UserRole)
+        if finding is not None:
+            self.finding_wanted.emit(finding)
 
     @accept_button.pressed
     def _on_accepted(self) -> None:

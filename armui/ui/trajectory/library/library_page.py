@@ -81,6 +81,7 @@ class LibraryPage(Page):
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: a preview must
             connect to its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D; ``None``: no longer.
+        finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
         run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
 
@@ -98,6 +99,7 @@ class LibraryPage(Page):
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
+    finding_wanted = Signal(object)
     run_asks = Signal(str)
 
     def __init__(self, controller: ArmController, background: Background, library: Library) -> None:
@@ -220,6 +222,7 @@ class LibraryPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
+        self._findings.finding_wanted.connect(self.finding_wanted)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self._choices.asking.connect(self.run_asks)
         self._run_bar.refused.connect(

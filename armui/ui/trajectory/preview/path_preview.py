@@ -163,6 +163,12 @@ class PathPreview(QObject):
             self._scrubbed = False
         self.row_shown.emit()
 
+    def show_pose(self, angles_deg: tuple[float, ...]) -> None:
+        """Have the ghost stand at a place of the path that is shown, until another is chosen."""
+        if self._path is not None:
+            self._scrubbed, self._target_deg = True, None
+            self._set(replace(self._shown, ghost_deg=angles_deg))
+
     def light_row(self, row: int | None) -> None:
         """Highlight the point to which the arm moves; the ghost is hidden meanwhile."""
         if self._path is not None and row != self._shown.current_row:

@@ -299,6 +299,7 @@ class PreviewLink(QObject):
         self._shown: Preflight | None = None
         self._marks: tuple[object, PathPicture | None] = (None, None)
         library.preview_wanted.connect(self._on_preview)
+        library.finding_wanted.connect(self._on_finding)
         library.page_made.connect(self._watch)
         library.editor_opened.connect(self._follow)
         library.editors.recorder_opened.connect(self._follow_recorder)
@@ -322,6 +323,11 @@ class PreviewLink(QObject):
         """Select the row of a finding whose sign was clicked in 3D."""
         if finding.row is not None:
             self.on_mark_picked(finding.row)
+
+    def _on_finding(self, finding: Finding) -> None:
+        """Have the ghost stand where a finding is, on the way or at a point."""
+        if finding.joints_deg is not None:
+            self._preview.show_pose(finding.joints_deg)
 
     # which page is seen -----------------------------------------------------------------------
 
@@ -369,6 +375,7 @@ class PreviewLink(QObject):
 
     def _follow(self, editor: EditorPage) -> None:
         editor.preview_wanted.connect(partial(self._take, editor))
+        editor.finding_wanted.connect(self._on_finding)
         editor.play_wanted.connect(self._preview.play)
         editor.selected_row_changed.connect(partial(self._on_row, editor))
         editor.table.selectionModel().currentChanged.connect(partial(self._on_cell, editor))
