@@ -17,8 +17,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QLocale, QObject, QTimer, Signal
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QObject, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QWidget
 
 from armui import __version__
 from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours
@@ -130,6 +130,7 @@ ms a pressed stop would wait for the bus thread and for the simulated arm's.
 """
 
 _CONNECTED_MS: Final = 5000
+_PAINTED_MS: Final = 3000
 _THREADS_BEGUN_MS: Final = 500
 _LOOK_AT_FILES_MS: Final = 1000
 """Disks that hang, and settings changed by other programs, are noticed within this time."""
@@ -433,19 +434,48 @@ def _run_window(
     device: Device | None,
     system_end: SystemEnd,
 ) -> int:
+    def begin() -> None:
+        _load_pages_when_idle(app, then=program.window.page_actions.reopen)
+        if device is not None:
+            # the bus does not wait for the picture, which is loaded in a process of its own
+            program.controller.connect_device(device)
+        if options.replay is not None:
+            program.window.pages.open_replay(options.replay)
+        if options.file is not None:
+            program.window.pages.trajectories.open_file(options.file)
+        keep_from_collector()
+
     program.window.show()
-    _load_pages_when_idle(app, then=program.window.page_actions.reopen)
+    AfterFirstPaint(program.window, begin)
     _GoingFirst(app, program.controller)
-    if device is not None:
-        # the bus waits for nothing: the picture is loaded in a process of its own
-        program.controller.connect_device(device)
-    if options.replay is not None:
-        program.window.pages.open_replay(options.replay)
-    if options.file is not None:
-        program.window.pages.trajectories.open_file(options.file)
-    keep_from_collector()
     QTimer.singleShot(_CONNECTED_MS, app, system_end.watch_sleep)
     return app.exec()
+
+
+class AfterFirstPaint(QObject):
+    """Begins what takes long once a window has been painted, so that it does not stand there black.
+
+    The libraries of a connection alone take 20 s to load on a busy computer.
+
+    Args:
+        window: The window; one that is not painted, as a minimised one, is waited for 3 s.
+        begin: Called once.
+    """
+
+    def __init__(self, window: QWidget, begin: Callable[[], object]) -> None:
+        super().__init__(window)
+        self._timer = QTimer(self, singleShot=True, interval=_PAINTED_MS)
+        self._timer.timeout.connect(begin)
+        # counted by the event loop: it may begin late
+        QTimer.singleShot(0, self._timer, self._timer.start)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Notice the event that paints the window."""
+        if event.type() is QEvent.Type.Paint:
+            watched.removeEventFilter(self)
+            self._timer.setInterval(0)
+        return False
 
 
 def _load_pages_when_idle(app: QApplication, then: Callable[[], object]) -> None:

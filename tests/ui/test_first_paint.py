@@ -1,0 +1,42 @@
+"""What takes long at the start waits until the window has been painted."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QWidget
+
+from armui import app
+from armui.app import AfterFirstPaint
+
+
+class Painted(QWidget):
+    """Notes that it is painted."""
+
+    def __init__(self, done):
+        super().__init__()
+        self.done = done
+
+    def paintEvent(self, event):
+        self.done.append("painted")
+
+
+def test_it_begins_once_the_window_is_painted(qtbot):
+    done: list[str] = []
+    window = Painted(done)
+    qtbot.addWidget(window)
+    window.show()
+    AfterFirstPaint(window, lambda: done.append("begun"))
+    assert done == []
+    qtbot.waitUntil(lambda: "begun" in done)
+    window.repaint()
+    qtbot.waitUntil(lambda: done.count("painted") > 1)
+    assert done[:2] == ["painted", "begun"]
+    assert done.count("begun") == 1
+
+
+def test_a_window_that_nobody_sees_is_not_waited_for_long(qtbot, monkeypatch):
+    monkeypatch.setattr(app, "_PAINTED_MS", 20)
+    done: list[str] = []
+    window = Painted(done)
+    qtbot.addWidget(window)
+    AfterFirstPaint(window, lambda: done.append("begun"))
+    qtbot.waitUntil(lambda: done == ["begun"])
