@@ -8298,10 +8298,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已向机械臂发送 {count} 项参数</translation>
     </message>
     <message>
-        <source>Settings saved and read back unchanged: {count}</source>
-        <translation>{count} 项参数已保存，回读一致</translation>
-    </message>
-    <message>
         <source>{count} of {total} settings did not take effect. {reason}</source>
         <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
     </message>
@@ -8488,6 +8484,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Connected to {device} again</source>
         <translation>已重新连接 {device}</translation>
+    </message>
+    <message>
+        <source>Settings saved and read back unchanged: {settings}</source>
+        <translation>设置已保存，回读一致：{settings}</translation>
     </message>
     <message>
         <source>The arm is online.</source>

@@ -124,6 +124,8 @@ def test_speed_and_acceleration_are_in_the_operators_units(arm):
         assert settings.accelerations_deg_s2[2] == pytest.approx(150.0)
     assert states(arm, SPEED_J2, ACCELERATION_J3) == [CellState.SAVED] * 2
     assert arm.codes()[-1] == "settings_saved"
+    told = arm.events[-1].params["settings"]
+    assert told == "max_speed_deg_s.2 max_acceleration_deg_s2.3"
 
 
 def test_end_limits_and_collision_levels(arm):

@@ -24,6 +24,7 @@ from armui.control.link.connection import DISCONNECTED, LINK_LOST_NOTICE
 from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.motion.joint_motion import SENT_JOINTS
 from armui.control.operating_state import BUSY
+from armui.control.parameters.arm_settings import SETTINGS_SAVED
 from armui.control.requests.reports import GENERATION
 from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
 from armui.control.safety.stopping import STOP_NOT_SENT, STOP_SENT, STOP_UNCONFIRMED
@@ -35,6 +36,7 @@ from armui.trajectory.files.text import NUMBER_BAD
 from armui.trajectory.points.program import GripperOpening, Waypoint, check_point
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
+from armui.ui.words.events import notice_text
 from armui.ui.words.text import sentence
 from tests.each import check_each
 from tests.translations import Constant, constants
@@ -367,3 +369,14 @@ def test_a_list_is_parted_as_the_language_does_it(chinese: None) -> None:
     assert sentence("Nowhere", "{it}", {"it": "1, 2, 6"}) == "1、2、6"
     # a name is left as somebody wrote it
     assert sentence("Nowhere", "{it}", {"it": "pick, place"}) == "pick, place"
+
+
+def test_saved_settings_are_named() -> None:
+    def said(**figures: object) -> str:
+        return notice_text(SETTINGS_SAVED, figures)
+
+    one = said(count=1, settings="max_speed_deg_s.3")
+    assert one == "Settings saved and read back unchanged: J3 Max. speed"
+    level = " ".join(f"collision_level.{joint}" for joint in range(1, 7))
+    assert said(count=6, settings=level).endswith("J4 Collision level, +2")
+    assert said(count=6).endswith(": 6")  # a file of an older version

@@ -50,7 +50,7 @@ SETTINGS_SENT = Notice(
 )
 SETTINGS_SAVED = Notice(
     "settings_saved",
-    "Settings saved and read back unchanged: {count}",
+    "Settings saved and read back unchanged: {settings}",
     Level.DONE,
     EventKind.RESULT,
 )
@@ -362,10 +362,11 @@ class ArmSettings(QObject, ControllerPart):
             cell.refusal for each in self._saving if (cell := self.cell(each)).refusal is not None
         ]
         count = len(self._saving)
+        settings = " ".join(f"{each.name}.{each.joint}" for each in self._saving)
         self._saving = []
         started, close = self._started, self._context.close
         if not reasons:
-            close(started, Ending.DONE, SETTINGS_SAVED, count=count)
+            close(started, Ending.DONE, SETTINGS_SAVED, count=count, settings=settings)
         else:
             figures = {"count": len(reasons), "total": count, "reason": reasons[0]}
             close(started, ending_of(reasons[0]), SETTINGS_REFUSED, **figures)

@@ -23,10 +23,16 @@ from armui.ui.words.arm import (
     trajectory_command,
 )
 from armui.ui.words.motion import what_is_below
+from armui.ui.words.parameters import setting_names
 from armui.ui.words.refusals import refusal
 from armui.ui.words.text import sentence, source_of
 
-_NAMES: Final = {"act": gripper_act, "part": part_name, "below": what_is_below}
+_NAMES: Final = {
+    "act": gripper_act,
+    "part": part_name,
+    "below": what_is_below,
+    "settings": setting_names,
+}
 _UNKNOWN: Final = QT_TRANSLATE_NOOP("Notice", "Event: {code}")
 
 
@@ -37,7 +43,7 @@ def event(event: Event) -> str:
 
 def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
     """Return the sentence of a notice with its figures."""
-    params = dict(figures)
+    params = {"settings": figures.get("count"), **figures}  # older files only count them
     reason = params.get("reason")
     params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""
     if not params.get("firmware"):

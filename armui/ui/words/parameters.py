@@ -10,7 +10,7 @@ from armui.arm.backup import ComparisonVerdict
 from armui.arm.parameters import KINDS, Parameter
 from armui.control.parameters.setting_draft import CellStatus
 from armui.ui import format as fmt
-from armui.ui.words.text import Texts, sentence
+from armui.ui.words.text import Texts, listed, sentence
 
 _NAMES: Final = Texts("Parameter") | {
     "max_angle_deg": "Max. angle",
@@ -27,6 +27,9 @@ _NAMES: Final = Texts("Parameter") | {
     "stroke_limit_mm": "Gripper stroke limit",
     "teaching_friction": "Teaching friction",
 }
+
+_MOST_NAMED: Final = 4
+"""Settings that a sentence names."""
 
 _STATUS: Final = Texts("Parameter") | {
     CellStatus.NOT_READ: "not read",
@@ -68,6 +71,18 @@ def full_name(parameter: Parameter) -> str:
     """Return a parameter's name with its joint, if it belongs to one («J3 max. speed»)."""
     name = parameter_name(parameter.name)
     return f"J{parameter.joint} {name}" if parameter.joint else name
+
+
+def setting_names(settings: str) -> str:
+    """Return the names of settings, the number of those beyond a few.
+
+    Args:
+        settings: ``max_speed.3 load.0``: each with its joint, 0 for none.
+    """
+    each = [name.rpartition(".") for name in settings.split()]
+    names = [full_name(Parameter(name, int(joint))) for name, _, joint in each[:_MOST_NAMED]]
+    more = [f"+{len(each) - _MOST_NAMED}"] if len(each) > _MOST_NAMED else []
+    return listed([*names, *more])
 
 
 def value_text(name: str, value: float) -> str:
