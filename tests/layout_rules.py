@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
     QStackedWidget,
     QStyle,
     QStyleOptionComboBox,
+    QStyleOptionFrame,
     QTableView,
     QToolButton,
     QWidget,
@@ -191,9 +192,13 @@ def _cut_text(widget: QWidget) -> str:
     if isinstance(widget, QAbstractSpinBox | QLineEdit):
         line = widget.lineEdit() if isinstance(widget, QAbstractSpinBox) else widget
         text = line.text() or line.placeholderText()
-        margins = line.textMargins()
-        room = line.contentsRect().width() - margins.left() - margins.right() - 2 * SLACK_PX
-        short = line.fontMetrics().horizontalAdvance(text) - room
+        frame = QStyleOptionFrame()
+        line.initStyleOption(frame)
+        element = QStyle.SubElement.SE_LineEditContents
+        inside = (
+            line.style().subElementRect(element, frame, line).marginsRemoved(line.textMargins())
+        )
+        short = line.fontMetrics().horizontalAdvance(text) - inside.width() + 2 * SLACK_PX
         return _missing(short, widget.fontMetrics().height() - size.height(), text)
     return ""
 

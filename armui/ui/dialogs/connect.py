@@ -95,7 +95,7 @@ class ManualEntry(HasActs, Translated, QWidget):
         self.interface_label.setBuddy(self.interface_box)
         self._channel_label = QLabel()
         self.channel_edit = QLineEdit()
-        self.channel_edit.setPlaceholderText("COM5, /dev/ttyACM0")
+        self.channel_edit.setPlaceholderText("COM5, can0")
         self._channel_label.setBuddy(self.channel_edit)
         of_interface = (self.interface_label, self.interface_box, 6)
         of_channel = (self._channel_label, (self.channel_edit, 1))
