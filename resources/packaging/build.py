@@ -16,6 +16,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import venv
 import zipfile
 from collections.abc import Callable, Sequence
@@ -29,9 +30,9 @@ sys.path.insert(0, str(HERE))
 
 from contents import EXTRAS, NOT_HERE, imported_by  # noqa: E402 - beside this file
 from linux_package import check_libraries, make_packages  # noqa: E402 - beside this file
-from release_page import changes_of, page  # noqa: E402 - as above
+from release_page import changes_of, check_release, page  # noqa: E402 - as above
 
-_TOOLS: Final = ("pyinstaller>=6.10", "build>=1.2", "twine>=6", "cyclonedx-bom>=5", "nfpm>=2.40")
+_CONSTRAINTS: Final = HERE / "constraints.txt"
 _LARGE_BYTES: Final = 5_000_000
 _MOST_BYTES: Final = 600_000_000
 
@@ -71,13 +72,29 @@ class Build:
         python = place / scripts
         if not python.exists():
             venv.create(place, with_pip=True)
-            self._call(python, "-m", "pip", "install", "-q", *_TOOLS)
+            self._install(*_packaging_tools(), python=python)
         return python
 
     def _call(self, *words: str | Path) -> None:
         # not among the sources: Python would find them before the wheel that is to be packed
         words_ = [str(each) for each in words]
         subprocess.run(words_, check=True, cwd=self.work)  # noqa: S603 - the tools named here
+
+    def _install(self, *wanted: str, python: Path | None = None) -> None:
+        """Have pip install packages in the versions that are kept."""
+        pip = (python or self.python, "-m", "pip", "install", "-q", "-c", _CONSTRAINTS)
+        self._call(*pip, *wanted)
+
+    def lock(self) -> Path:
+        """The versions that packages and checks take, anew: those that the index has today."""
+        self._call(
+            self.python.with_name("uv"), "pip", "compile", "-q", ROOT / "pyproject.toml",
+            "--all-extras", "--universal", "--upgrade", "--python-version", "3.11",
+            "--no-emit-index-url", "--no-header", "--no-annotate", "-o", _CONSTRAINTS,
+        )  # fmt: skip
+        versions = _CONSTRAINTS.read_text(encoding="utf-8")
+        _CONSTRAINTS.write_text(f"# Made by `build.py lock`.\n{versions}", encoding="utf-8")
+        return _CONSTRAINTS
 
     def wheel(self) -> list[Path]:
         """The wheel and the source archive, checked for an index."""
@@ -96,9 +113,8 @@ class Build:
         if self._folder is not None:
             return self._folder
         (wheel,) = [each for each in self.wheel() if each.suffix == ".whl"]
-        pip = (self.python, "-m", "pip", "install", "-q")
-        self._call(*pip, f"{wheel}[adapters,gamepad,parquet]")
-        self._call(*pip, "--force-reinstall", "--no-deps", wheel)
+        self._install(f"{wheel}[adapters,gamepad,parquet]")
+        self._install("--force-reinstall", "--no-deps", str(wheel))
         if os.name == "nt":
             self._call(self.python, HERE / "windows" / "make_icon.py", self.work / "armui.ico")
         place = self.work / "folder"
@@ -181,6 +197,7 @@ class Build:
         )  # fmt: skip
         names = (self.folder() / "licences" / "names.txt").read_text(encoding="utf-8").split()
         bill = _only(json.loads(path.read_text(encoding="utf-8")), set(names), self.version)
+        bill = _with_system(bill, self.folder() / "licences" / "system.json")
         made = self.out / f"armui-{self.version}.cdx.json"
         made.write_text(json.dumps(bill, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
         return made
@@ -197,7 +214,9 @@ class Build:
 
     def release(self) -> list[Path]:
         """All of it, and the page that says what it is."""
-        changes = changes_of((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), self.version)
+        changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+        check_release(changelog, self.version, _tag())
+        changes = changes_of(changelog, self.version)
         packages = {"linux": self.linux, "win32": self.windows}.get(sys.platform, self.portable)
         made = [*self.wheel(), *packages(), self.bill(), self.licences()]
         files = [(each.name, each.stat().st_size, _sha256(each)) for each in made]
@@ -210,6 +229,23 @@ class Build:
 
     def _to_out(self, path: Path) -> Path:
         return Path(shutil.copy2(path, self.out / path.name))
+
+
+def _packaging_tools() -> list[str]:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    tools: list[str] = project["optional-dependencies"]["packaging"]
+    return tools
+
+
+def _tag() -> str:
+    """The tag of the commit that is made, or an empty text."""
+    git = shutil.which("git")
+    if git is None or not (ROOT / ".git").exists():
+        return ""
+    words = [git, "-C", str(ROOT), "describe", "--tags", "--exact-match"]
+    return subprocess.run(  # noqa: S603 - git itself
+        words, check=False, capture_output=True, text=True
+    ).stdout.strip()
 
 
 def _day() -> str:
@@ -279,10 +315,32 @@ def _only(bill: dict[str, object], names: set[str], number: str) -> dict[str, ob
     return {**bill, "metadata": merged, "components": components, "dependencies": dependencies}
 
 
+def _with_system(bill: dict[str, object], told: Path) -> dict[str, object]:
+    """Add to a bill what no distribution of Python names: CPython, libraries of the system."""
+    components = bill["components"]
+    if not isinstance(components, list):
+        raise SystemExit(f"the bill of materials has no list of components but {components!r}")
+    added = [
+        {"type": "library", "bom-ref": each["purl"], **each}
+        for each in json.loads(told.read_text(encoding="utf-8"))
+    ]
+    return {**bill, "components": [*components, *added]}
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Make what is asked for, and tell where it is."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    steps = ("wheel", "folder", "linux", "portable", "windows", "bill", "licences", "release")
+    steps = (
+        "lock",
+        "wheel",
+        "folder",
+        "linux",
+        "portable",
+        "windows",
+        "bill",
+        "licences",
+        "release",
+    )
     parser.add_argument("step", choices=steps)
     parser.add_argument("--out", type=Path, default=ROOT / "dist", help="(dist)")
     parser.add_argument("--work", type=Path, default=ROOT / "build" / "packaging")

@@ -160,12 +160,13 @@ SYSTEM: Final = re.compile(
     r"lib(X11|X11-xcb|xcb|xcb-[a-z0-9-]+|xkbcommon|xkbcommon-x11|Xau|Xdmcp|Xext|Xrender|Xcursor|Xfixes|Xi"
     r"|GL|GLX|EGL|OpenGL|GLdispatch|gbm|drm|wayland-[a-z]+|fontconfig|freetype|dbus-1|glib-2\.0|gthread-2\.0"
     r"|stdc\+\+|gcc_s|gomp|z|ssl|crypto|systemd|udev|usb-1\.0|uuid|expat|bsd|md|cap|lz4|zstd|lzma|gcrypt"
-    r"|gpg-error|pcre2-8|png16|brotlicommon|brotlidec|bz2|ffi|com_err|gssapi_krb5|k5crypto|krb5|krb5support"
+    r"|gpg-error|pcre2-8|png16|brotlicommon|brotlidec|ffi|com_err|gssapi_krb5|k5crypto|krb5|krb5support"
     r"|keyutils|resolv|tirpc|nsl|asound|pulse.*|jack|sndfile)\.so(\.\d+)*$"
 )
 """Libraries of the system that a package declares rather than brings: their mends come with it.
 
-Each of them has the same soname in Debian 12 and 13.
+Each of them has the same soname in Debian 12 and 13, and with other distributions; libbz2, which
+only Debian calls ``libbz2.so.1.0``, is packed.
 """
 
 

@@ -7,8 +7,11 @@ the libraries of the build system what Debian says of them, and Qt's, which its 
 from __future__ import annotations
 
 import ast
+import json
+import platform
 import re
 import shutil
+import sqlite3
 import subprocess
 import sys
 import sysconfig
@@ -25,6 +28,8 @@ _TEXTS: Final = (
 )
 """Of what has been left out of wheels."""
 _NAMES: Final = "names.txt"
+_SYSTEM: Final = "system.json"
+"""What is packed beside Python's distributions, for the bill of materials."""
 
 
 def collect(work: Path, target: Path, root: Path) -> list[str]:
@@ -51,8 +56,16 @@ def collect(work: Path, target: Path, root: Path) -> list[str]:
         if not texts and not missing:
             without.append(f"{name} {each.version}: {_said(each)}")
     _copy_python(target / "python")
-    for package, text in _of_the_system(sources):
+    python = platform.python_version()
+    system = [{"name": "cpython", "version": python, "purl": f"pkg:generic/cpython@{python}"}]
+    if shutil.which("dpkg") is None:  # Debian's Python has it from a package, others their own
+        sqlite = sqlite3.sqlite_version
+        system.append({"name": "sqlite", "version": sqlite, "purl": f"pkg:generic/sqlite@{sqlite}"})
+    for package, version, text in _of_the_system(sources):
         _copy(text, target / "system" / f"{package}.txt")
+        purl = f"pkg:deb/debian/{package}@{version}"
+        system.append({"name": package, "version": version, "purl": purl})
+    (target / _SYSTEM).write_text(json.dumps(system, indent=1) + "\n", encoding="utf-8")
     (target / _NAMES).write_text("\n".join(sorted(names)) + "\n", encoding="utf-8")
     if without:
         (target / "without-a-text.txt").write_text("\n".join(without) + "\n", encoding="utf-8")
@@ -107,8 +120,8 @@ def _copy_python(target: Path) -> None:
     raise SystemExit("Python's own licence was not found; looked in " + ", ".join(map(str, places)))
 
 
-def _of_the_system(sources: Iterable[str]) -> Iterator[tuple[str, Path]]:
-    """What Debian says of the libraries that come from the build system."""
+def _of_the_system(sources: Iterable[str]) -> Iterator[tuple[str, str, Path]]:
+    """What Debian says of the libraries that come from the build system: package, version, text."""
     asked = shutil.which("dpkg")
     if asked is None:
         return
@@ -128,7 +141,12 @@ def _of_the_system(sources: Iterable[str]) -> Iterator[tuple[str, Path]]:
             text = Path("/usr/share/doc") / package / "copyright"
             if package not in seen and text.is_file():
                 seen.add(package)
-                yield package, text
+                words = [asked, "--status", package]
+                told = subprocess.run(  # noqa: S603 - as above
+                    words, capture_output=True, text=True, check=True
+                ).stdout
+                (version,) = re.findall(r"^Version: (.+)$", told, re.MULTILINE)
+                yield package, version, text
 
 
 def _copy(source: Path, target: Path) -> None:

@@ -78,7 +78,22 @@ def depends(folder: Path) -> tuple[list[str], list[str]]:
     debian = {libraries["wanted"][name] for name in wanted}
     debian |= set(libraries["loaded"].values()) | {_FONTS}
     rpm = {f"{name}()(64bit)" for name in (*wanted, *libraries["loaded"]) if ".so" in name}
-    return sorted(debian), sorted({*rpm, "mesa-dri-drivers", "hicolor-icon-theme"})
+    rpm |= {"mesa-dri-drivers", "hicolor-icon-theme", f"libc.so.6({oldest_glibc(folder)})(64bit)"}
+    return sorted(debian), sorted(rpm)
+
+
+def oldest_glibc(folder: Path) -> str:
+    """The lowest version of the C library that all files of a folder can be loaded with."""
+    readelf = shutil.which("readelf") or "readelf"
+    versions = {(2, 0)}
+    for each in sorted(folder.rglob("*")):
+        if each.is_file() and not each.is_symlink() and _is_elf(each):
+            told = subprocess.run(  # noqa: S603 - binutils
+                [readelf, "-VW", each], capture_output=True, text=True, check=True
+            ).stdout
+            found = re.findall(r"Name: GLIBC_(\d+)\.(\d+)", told)
+            versions |= {(int(major), int(minor)) for major, minor in found}
+    return "GLIBC_{}.{}".format(*max(versions))
 
 
 def make_packages(folder: Path, python: Path, work: Path, version: str, day: str) -> list[Path]:
@@ -102,7 +117,7 @@ def make_packages(folder: Path, python: Path, work: Path, version: str, day: str
     text = (HERE / "linux" / "nfpm.yaml").read_text(encoding="utf-8")
     filled: dict[str, str] = {
         "ARCH": _ARCHITECTURES.get(platform.machine(), platform.machine()),
-        "VERSION": version,
+        "VERSION": _packaged(version),
         "ROOT": str(root),
         "LINUX": str(HERE / "linux"),
         "DEB_DEPENDS": json.dumps(debian),
@@ -166,10 +181,15 @@ def _lay_out(folder: Path, root: Path, version: str, day: str) -> None:
     shutil.copyfile(linux / "lintian-overrides", overrides / "armui")
 
 
+def _packaged(version: str) -> str:
+    """The version as dpkg and rpm sort it: one of development before its release."""
+    return version.replace(".dev", "~dev")
+
+
 def _debian_changes(version: str, day: str) -> str:
     at = datetime.strptime(day, "%Y-%m-%d").replace(tzinfo=UTC)
     return (
-        f"armui ({version}-1) unstable; urgency=medium\n\n"
+        f"armui ({_packaged(version)}-1) unstable; urgency=medium\n\n"
         "  * What has changed stands in changelog.gz.\n\n"
         f" -- The armui authors <armui@localhost>  {format_datetime(at)}\n"
     )

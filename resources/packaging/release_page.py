@@ -31,6 +31,33 @@ def changes_of(changelog: str, version: str) -> str:
     return found[1].strip()
 
 
+def check_release(changelog: str, version: str, tag: str) -> None:
+    """Refuse to make a release that is not cut, or not wholly.
+
+    Args:
+        changelog: The text of CHANGELOG.md.
+        version: Of the program.
+        tag: Of the commit that is made, or empty where it has none.
+
+    Raises:
+        ValueError: The version is one of development, changes stand under Unreleased, or the tag
+            is another version's; the message says what to do.
+    """
+    if ".dev" in version:
+        raise ValueError(
+            f"{version} is a version of development: give __version__ in armui/__init__.py the "
+            f"number of the release, and its section in CHANGELOG.md"
+        )
+    unreleased = re.search(r"^## Unreleased\n(.*?)(?=^## |\Z)", changelog, re.MULTILINE | re.DOTALL)
+    if unreleased is not None and unreleased[1].strip():
+        raise ValueError(
+            f"CHANGELOG.md has changes under «Unreleased» that the page of {version} would omit: "
+            f"move them to its section"
+        )
+    if tag and tag != f"v{version}":
+        raise ValueError(f"the commit's tag is {tag}, the version {version}: v{version} was meant")
+
+
 def page(version: str, day: str, changes: str, files: Iterable[tuple[str, int, str]]) -> str:
     """The page in Markdown.
 

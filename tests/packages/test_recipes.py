@@ -2,9 +2,11 @@
 
 import importlib.util
 import os
+import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -79,9 +81,99 @@ def test_the_page_of_a_release_has_its_own_changes_only():
     assert "ab" * 32 in text
 
 
-def test_this_version_has_its_section():
+CUT = "# Changes\n\n## Unreleased\n\n## 2.0.0 – 2026-01-02\n\n- new\n"
+
+
+@pytest.mark.parametrize(
+    ("log", "version", "tag", "why"),
+    [
+        (CUT, "2.1.0.dev0", "", "2.1.0.dev0 is a version of development"),
+        (
+            CUT.replace("Unreleased\n", "Unreleased\n\n- more\n"),
+            "2.0.0",
+            "",
+            "the page of 2.0.0 would omit",
+        ),
+        (CUT, "2.0.0", "v1.9.0", "tag is v1.9.0, the version 2.0.0"),
+    ],
+)
+def test_what_is_not_wholly_cut_is_not_released(log, version, tag, why):
+    check = recipe("release_page").check_release
+    check(CUT, "2.0.0", "v2.0.0")
+    check(CUT, "2.0.0", "")
+    with pytest.raises(ValueError, match=re.escape(why)):
+        check(log, version, tag)
+
+
+def test_this_version_is_cut_or_one_of_development():
+    """With changes under «Unreleased» the program must not call itself the released version."""
     changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    assert recipe("release_page").changes_of(changes, __version__)
+    pages = recipe("release_page")
+    if ".dev" in __version__:
+        number = __version__.partition(".dev")[0]
+        with pytest.raises(ValueError, match="no section"):
+            pages.changes_of(changes, number)
+    else:
+        pages.check_release(changes, __version__, "")
+        assert pages.changes_of(changes, __version__)
+
+
+def test_a_version_of_development_sorts_before_its_release():
+    linux = recipe("linux_package")
+    assert linux._packaged("0.3.0.dev0") == "0.3.0~dev0"
+    assert "armui (0.3.0~dev0-1)" in linux._debian_changes("0.3.0.dev0", "2026-11-27")
+    assert linux._packaged("0.3.0") == "0.3.0"
+
+
+@pytest.mark.skipif(shutil.which("readelf") is None, reason="not installed: readelf")
+@pytest.mark.skipif(sys.platform != "linux", reason="asks files of Linux")
+def test_a_package_asks_for_the_c_library_that_its_files_want(tmp_path, monkeypatch):
+    """For .rpm by the version; no library that only Debian has is asked for."""
+    linux = recipe("linux_package")
+    shutil.copy(Path(sys.executable).resolve(), tmp_path / "python")
+    told = subprocess.run(
+        ["readelf", "-VW", tmp_path / "python"], capture_output=True, text=True, check=True
+    ).stdout
+    wanted = re.findall(r"GLIBC_2\.(\d+)", told)
+    assert linux.oldest_glibc(tmp_path) == f"GLIBC_2.{max(map(int, wanted))}"
+    monkeypatch.setattr(linux, "needed_libraries", lambda _folder: {"libc.so.6": {"python"}})
+    rpm = linux.depends(tmp_path)[1]
+    assert f"libc.so.6({linux.oldest_glibc(tmp_path)})(64bit)" in rpm
+    known = linux._libraries()
+    assert not any(name.startswith("libbz2") for name in (*known["wanted"], *known["loaded"]))
+
+
+def test_the_source_archive_has_all_that_the_checks_read():
+    """What is kept in the repository at its top, but for what editors and git leave."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    packed = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
+    tops = {"/.ci", "/.github", "/.gitignore", "/armui", "/resources", "/tests", "/urdf"}
+    tops |= {"/CHANGELOG.md", "/README.md", "/LICENSE"}
+    assert set(packed) == tops
+    assert all((ROOT / each[1:]).exists() for each in packed)
+
+
+def test_an_index_shows_readme_without_what_stands_beside_it():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    hook = project["tool"]["hatch"]["metadata"]["hooks"]["fancy-pypi-readme"]
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    assert re.search(r"\]\(resources/", text), "there is something to take out"
+    for each in hook["substitutions"]:
+        text = re.sub(each["pattern"], each["replacement"], text)
+    assert re.findall(r"\]\((?!https?:)[^)]*\)", text) == []
+    assert "- [Design" not in text
+
+
+def test_every_wanted_package_has_its_version_kept():
+    """A new dependency without `build.py lock` would be taken as the index has it that day."""
+    kept = (RECIPES / "constraints.txt").read_text(encoding="utf-8")
+    names = {re.split(r"==", line)[0] for line in kept.splitlines() if "==" in line}
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    wanted = [*project["dependencies"]]
+    for each in project["optional-dependencies"].values():
+        wanted += each
+    asked = {re.split(r"[^A-Za-z0-9._-]", line)[0].lower() for line in wanted}
+    assert asked - names == set()
 
 
 def test_of_shared_libraries_only_the_wanted_are_packed():
