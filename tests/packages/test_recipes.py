@@ -10,10 +10,12 @@ import tomllib
 from pathlib import Path
 
 import pytest
+import trimesh
 
 from armui import __version__
 from armui.sim.faults.bugs import NAMES as BUG_NAMES
 from armui.sim.faults.schedule import FAULTS
+from armui.viewport.process.urdf_file import _MESH_KINDS
 
 ROOT = Path(__file__).resolve().parents[2]
 RECIPES = ROOT / "resources" / "packaging"
@@ -229,6 +231,36 @@ def test_nothing_that_the_program_names_is_left_out():
         each for each in named for one in contents.UNUSED if f"{each}.".startswith(f"{one}.")
     ]
     assert left_out == []
+
+
+_READ = """
+import io, sys
+path, *hidden = sys.argv[1:]
+
+class Packed:
+    def __init__(self, finder):
+        self._finder = finder
+
+    def find_spec(self, name, path=None, target=None):
+        left_out = any(f"{name}.".startswith(f"{each}.") for each in hidden)
+        return None if left_out else self._finder.find_spec(name, path, target)
+
+sys.meta_path[:] = map(Packed, sys.meta_path)
+import trimesh
+trimesh.load(path)
+"""
+
+
+@pytest.mark.parametrize("kind", sorted(_MESH_KINDS))
+def test_every_kind_of_mesh_is_read_without_what_is_left_out(kind, tmp_path):
+    """trimesh imports what reads a kind when it meets one; the program names nothing of it."""
+    path = tmp_path / f"box{kind}"
+    more = {"embed_buffers": True} if kind == ".gltf" else {}
+    made = trimesh.creation.box().export(file_type=kind[1:], **more)
+    made = made["model.gltf"] if isinstance(made, dict) else made
+    path.write_bytes(made if isinstance(made, bytes) else made.encode())
+    asked = [sys.executable, "-c", _READ, str(path), *recipe("contents").UNUSED]
+    subprocess.run(asked, check=True)
 
 
 def test_of_the_program_only_what_is_run_counts_as_imported(tmp_path):
