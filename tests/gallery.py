@@ -5,7 +5,7 @@ and both themes, the window in two sizes, the workspace also on a screen of 3840
 program is the real one, the arm the simulated one.
 Every scene has a program of its own, which has just opened; its clock stands still, so that two
 galleries of the same program are the same pixel by pixel. ``--guide`` makes the pictures of the
-user guide of them.
+user guide of them, and README's films of a run; ``--film`` these alone.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from PySide6.QtGui import QFontDatabase, QGuiApplication
 
-from tests.gallery_scenes import guide
+from tests.gallery_scenes import film, guide
 from tests.gallery_scenes.comparison import differences
 from tests.gallery_scenes.pictures import Looks, chosen, every_scene, prepare, take
 from tests.gallery_scenes.scene import DialogScene, Scene
@@ -97,7 +97,21 @@ def _make_guide(processes: int) -> int:
             return 1
         for path in guide.convert(folder):
             print(f"{path.name}: {path.stat().st_size} bytes")
-    return 0
+    return _make_films(processes)
+
+
+def _make_films(processes: int) -> int:
+    """Film the main window for README, in each language; whether one is too large."""
+    _warn_about_fonts()
+    large = False
+    with ProcessPoolExecutor(
+        processes, multiprocessing.get_context("spawn"), initializer=prepare
+    ) as pool:
+        for path in pool.map(film.make, film.LANGUAGES):
+            size = path.stat().st_size
+            large |= size > film.MOST_BYTES
+            print(f"{path.name}: {size} bytes", flush=True)
+    return int(large)
 
 
 def _warn_about_fonts() -> None:
@@ -126,8 +140,11 @@ def _parser() -> argparse.ArgumentParser:
         help="then name the pictures in DIR that differ from those of another gallery",
     )
     parser.add_argument(
-        "--guide", action="store_true", help="make the pictures of the user guide anew, and end"
+        "--guide",
+        action="store_true",
+        help="make the pictures of the user guide and README's films anew, and end",
     )
+    parser.add_argument("--film", action="store_true", help="make README's films anew, and end")
     parser.add_argument(
         "--processes", type=int, default=os.cpu_count() or 1, help="default: one a processor"
     )
@@ -148,6 +165,8 @@ def main() -> int:
         return 0
     if asked.guide:
         return _make_guide(asked.processes)
+    if asked.film:
+        return _make_films(asked.processes)
     if asked.folder is None:
         parser.error("name a folder for the pictures, or ask for --list")
     try:

@@ -9,6 +9,7 @@ import os
 import sys
 import tempfile
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
@@ -90,25 +91,38 @@ def take(scene: Scene | DialogScene, folder: Path, looks: Looks) -> int:
     Raises:
         Exception: Whatever went wrong in the scene, or in a slot of Qt meanwhile.
     """
+    with opened(scene.name, draws=isinstance(scene, Scene)) as app_driver:
+        if isinstance(scene, Scene):
+            return _WindowPictures(app_driver, folder, looks).take(scene)
+        return _take_dialog(app_driver, scene, folder, looks)
+
+
+@contextmanager
+def opened(name: str, *, draws: bool) -> Iterator[AppDriver]:
+    """A program that has just opened, with settings and a library of its own.
+
+    Args:
+        name: Of what is shown; no other that is open has it.
+        draws: Whether the arm is drawn in 3D.
+
+    Raises:
+        Exception: Whatever went wrong meanwhile in a slot of Qt.
+    """
     app = QApplication.instance()
     assert isinstance(app, QApplication), "call prepare() first"
     _stop_the_clock()
-    draws = isinstance(scene, Scene)
     with tempfile.TemporaryDirectory() as settings, _SlotErrors() as errors:
         file = Path(settings) / "settings.json"
         pictures = globals()["_drawn_by"]
-        name = f"gallery-{scene.name}"
-        app_driver = AppDriver(app, name, file, Generation.TWO, draws=draws, pictures=pictures)
+        app_driver = AppDriver(
+            app, f"gallery-{name}", file, Generation.TWO, draws=draws, pictures=pictures
+        )
         try:
-            if isinstance(scene, Scene):
-                count = _WindowPictures(app_driver, folder, looks).take(scene)
-            else:
-                count = _take_dialog(app_driver, scene, folder, looks)
+            yield app_driver
         finally:
             app_driver.close()
             QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
         errors.raise_first()
-    return count
 
 
 class _WindowPictures:
@@ -131,7 +145,7 @@ class _WindowPictures:
                 self._driver.store.change(language=language)
                 look = f"{language}-{theme}"
                 for name, widget in self._subjects(scene, look, size):
-                    _save(_steady(widget), self._folder, name)
+                    _save(steady(widget), self._folder, name)
                     count += 1
         return count
 
@@ -150,14 +164,12 @@ class _WindowPictures:
         """Take another size and theme, and wait for the 3D picture of them."""
         self._driver.window.resize(*size)
         self._driver.store.change(theme=theme)
-        view, longest = self._driver.program.view, QDeadlineTimer(_LONGEST_MS)
+        view = self._driver.program.view
         _let_work()
         self._driver.window._picture.look()  # the ghost of a target, not when its timer says so
         if view.mode is ViewMode.FIT:
             view.fit()  # not as where the arm was seen on its way has it
-        # a computer that can't draw shows why
-        while not (view.is_settled or view.has_given_up or longest.hasExpired()):
-            _let_work()
+        drawn(self._driver)
 
 
 def _take_dialog(app_driver: AppDriver, scene: DialogScene, folder: Path, looks: Looks) -> int:
@@ -166,7 +178,7 @@ def _take_dialog(app_driver: AppDriver, scene: DialogScene, folder: Path, looks:
     for theme, language in itertools.product(looks.themes, looks.languages):
         app_driver.store.change(language=language, theme=theme)
         _let_work()
-        _save(_steady(scene.open(app_driver)), folder, f"dialog-{scene.name}-{language}-{theme}")
+        _save(steady(scene.open(app_driver)), folder, f"dialog-{scene.name}-{language}-{theme}")
         count += 1
         close_dialogs()
     return count
@@ -183,7 +195,14 @@ def _panels(window: QWidget) -> dict[str, QWidget]:
     return {type(panel).__name__.removesuffix("Panel").lower(): panel for panel in area.panels}
 
 
-def _steady(widget: QWidget) -> QImage:
+def drawn(app_driver: AppDriver) -> None:
+    """Wait for the 3D picture of the present state; a computer that can't draw shows why."""
+    view, longest = app_driver.program.view, QDeadlineTimer(_LONGEST_MS)
+    while not (view.is_settled or view.has_given_up or longest.hasExpired()):
+        _let_work()
+
+
+def steady(widget: QWidget) -> QImage:
     """A picture of a widget whose layout has settled: two in a row are the same."""
     _let_work()
     last, longest = widget.grab().toImage(), QDeadlineTimer(_LONGEST_MS)
