@@ -8,21 +8,26 @@ import re
 import subprocess
 import sys
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from PIL import Image, ImageChops, ImageSequence
 
 from armui import __version__
+from tests.gallery_scenes import film
 
 ROOT = Path(__file__).resolve().parents[1]
 PAPERS = [
     ROOT / "README.md",
+    ROOT / "README.zh.md",
     ROOT / "CHANGELOG.md",
     *sorted((ROOT / "resources" / "docs").rglob("*.md")),
     *sorted((ROOT / ".github").rglob("*.md")),
 ]
 NAMES = [str(paper.relative_to(ROOT)) for paper in PAPERS]
-MOST_WORDS = 999
+MOST_WORDS = {"README.md": 599, "README.zh.md": 1100}
+"""Of each language; a Chinese sign counts as one."""
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 ELSEWHERE = re.compile(r"[a-z]+:")
@@ -76,8 +81,41 @@ def test_every_module_to_run_is_there(paper: Path) -> None:
     assert gone == set()
 
 
-def test_readme_can_be_read_in_one_go() -> None:
-    assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= MOST_WORDS
+@pytest.mark.parametrize("name", MOST_WORDS)
+def test_readme_can_be_read_in_one_go(name: str) -> None:
+    text = (ROOT / name).read_text(encoding="utf-8")
+    assert len(re.findall(r"[\u4e00-\u9fff]|[^\s\u4e00-\u9fff]+", text)) <= MOST_WORDS[name]
+
+
+def test_readme_is_the_same_in_both_languages() -> None:
+    """Each leads to the other, has the same sections, commands and links, and a film of its own."""
+    own, other = ((ROOT / name).read_text(encoding="utf-8") for name in MOST_WORDS)
+    assert "(README.zh.md)" in own
+    assert "(README.md)" in other
+    assert re.findall(r"^#+", own, re.MULTILINE) == re.findall(r"^#+", other, re.MULTILINE)
+    assert own.split("```")[1::2] == other.split("```")[1::2]
+    films = {"resources/pictures/window-en.webp", "resources/pictures/window-zh.webp"}
+    readmes = set(MOST_WORDS)
+    assert set(LINK.findall(own)) - films - readmes == set(LINK.findall(other)) - films - readmes
+
+
+def test_readme_s_films_move_in_few_bytes() -> None:
+    """There is no other picture; `python -m tests.gallery --film` makes them."""
+    names = [f"window-{language}.webp" for language in film.LANGUAGES]
+    assert sorted(path.name for path in film.FOLDER.iterdir()) == sorted(names)
+    for readme, language in (("README.md", "en"), ("README.zh.md", "zh")):
+        path = film.FOLDER / f"window-{language}.webp"
+        assert f"({path.relative_to(ROOT)})" in (ROOT / readme).read_text(encoding="utf-8")
+        assert path.stat().st_size <= film.MOST_BYTES
+        with Image.open(path) as picture:
+            frames = list(ImageSequence.all_frames(picture))
+            seconds = sum(each.info["duration"] for each in frames) / 1e3
+        assert 4.0 <= seconds <= 6.0
+        moved = [
+            ImageChops.difference(*(each.convert("L") for each in pair)).getbbox()
+            for pair in pairwise(frames)
+        ]
+        assert all(moved)
 
 
 def test_the_last_version_of_the_changes_is_the_program_s() -> None:

@@ -150,7 +150,7 @@ def test_the_source_archive_has_all_that_the_checks_read():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     packed = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
     tops = {"/.ci", "/.github", "/.gitignore", "/armui", "/resources", "/tests", "/urdf"}
-    tops |= {"/CHANGELOG.md", "/README.md", "/LICENSE"}
+    tops |= {"/CHANGELOG.md", "/README.md", "/README.zh.md", "/LICENSE"}
     assert set(packed) == tops
     assert all((ROOT / each[1:]).exists() for each in packed)
 
