@@ -44,7 +44,7 @@ _COMPOUND: Final = (QAbstractSpinBox, QComboBox)
 """Each counts once, its inner field and arrows do not."""
 _MOMENT: Final = (RecoveryLine, MessageLine)
 """What is said in them changes from moment to moment."""
-_FIGURE: Final = re.compile(r"[≥≤]?\s*[-−+]?\d+(\.\d+)?\s*(°|mm|%)?")
+_FIGURE: Final = re.compile(r"[≥≤]?\s*[-−+]?\d+(\.\d+)?\s*((°|mm)(/s)?|%)?")
 _PAINTED_FIGURES: Final = 12
 """Pose and joint angles over the picture, each with its name."""
 

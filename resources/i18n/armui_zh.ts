@@ -14469,6 +14469,10 @@ The other program must have ended.</source>
         <translation>机械臂</translation>
     </message>
     <message>
+        <source>Speed at most, for a motion of the present mode</source>
+        <translation>当前运动模式下的最高速度</translation>
+    </message>
+    <message>
         <source>The speed of everything, 0–100 %: of the arm&apos;s highest, and in a run of each point&apos;s or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion measured to be more than 1.5 times as fast as it was told is ended.</source>
         <translation>所有运动的速度，0–100 %：相对机械臂最高速度；运行时相对各点或录制的速度。0 % 使运行暂停。降速 {slower}，提速 {faster}。测得速度超过指令的 1.5 倍时，终止该运动。</translation>
     </message>

@@ -284,10 +284,8 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return now.stop is StopState.REQUESTED
     if action is Action.TAKE_OVER:
         return now.other_host is not None and now.other_host.may_be_taken_over
-    if action is Action.GIVE_UP and now.may_hold_another:
-        return True
     if action in {Action.GO_ON, Action.GIVE_UP}:
-        return bool(now.holds)
+        return bool(now.holds) or (action is Action.GIVE_UP and now.may_hold_another)
     if action is Action.STOP:
         return now.stop is StopState.RUNNING
     return action in {Action.CONNECT, Action.CHECK_REFERENCE} or is_agreed_to(action, now)

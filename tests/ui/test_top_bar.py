@@ -6,11 +6,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSpinBox
 
+from armui.arm.limits import JointLimits
+from armui.arm.state import EndLimits, Reading
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import RUN_UNDER_WAY, Busy, OperatingState, StopState
 from armui.control.safety.interlocks import STOPPED
-from armui.protocol.codes import ALL_JOINTS
+from armui.protocol.codes import ALL_JOINTS, MoveMode
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.shell.top_bar import CommunicationButton, EnableButton, TopBar
@@ -230,3 +232,37 @@ def test_what_cannot_be_enabled_says_why(enable, controller):
     controller.be(operating_state())
     assert enable.isEnabled()
     assert "drop" in enable.toolTip()
+
+
+def test_what_the_speed_means_stands_beside_it_for_the_motion_at_hand(bar, controller):
+    means = bar.findChild(ValueLabel, "speed_means")
+    assert means.text() == ""
+    limits = tuple(JointLimits(-90.0, 90.0, speed) for speed in (100.0, 172.0, *[100.0] * 4))
+    end = Reading(EndLimits(0.5, 1.0, 1.0, 1.0), 0.0)
+    controller.be(operating_state(limits=limits))
+
+    def hear(mode, sequence):
+        state = arm_state(move_mode=mode, sequence=sequence)
+        controller.hear(state._replace(end_limits=end))
+
+    hear(MoveMode.MOVE_J, 2)
+    assert means.text() == "≤ 51.6°/s"
+    hear(MoveMode.MOVE_L, 3)
+    assert means.text() == "≤ 150 mm/s"
+    hear(MoveMode.MOVE_P, 4)
+    assert means.text() == "≤ 51.6°/s"
+    controller.be(operating_state(limits=limits, jogging=True))
+    assert means.text() == ""  # a jog has a pace of its own
+
+
+def test_without_room_what_the_speed_means_is_in_its_tooltip(bar, slider, controller):
+    controller.be_ready()
+    controller.hear(arm_state(sequence=2))
+    means = bar.findChild(ValueLabel, "speed_means")
+    assert means.text()
+    bar.resize(1280, bar.height())
+    assert means.isVisible()
+    assert means.text() not in slider.toolTip()
+    bar.resize(900, bar.height())
+    assert not means.isVisible()
+    assert slider.toolTip().startswith(means.text())

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QAbstractButton, QLabel, QSizePolicy, QWidget
 
 from armui.arm.device import Device
@@ -19,6 +19,7 @@ from armui.control.operating_state import Busy, OperatingState, StopState
 from armui.control.operations.operation import operation_of
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
 from armui.protocol.addressing import Addressing
+from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
@@ -40,6 +41,7 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
+    from armui.arm.state import EndLimits, Reading
     from armui.control.arm_controller import ArmController
     from armui.control.devices.joint_monitor import JointMonitor
 
@@ -70,6 +72,7 @@ _OF_ITSELF: Final = (
 )
 """What an arm does that is said in the place of what its motors are told."""
 _WIDEST_PX: Final = 620
+_MEANING_FROM_PX: Final = 400
 _CONNECT: Final = also("open port device adapter can 设备 端口 打开")
 
 
@@ -97,16 +100,35 @@ class SpeedControl(Translated, QWidget):
         self._slider, self.field = self._input.slider, self._input.field
         self.field.setFixedHeight(34)
         self._label.setBuddy(self.field)
+        self._means = named("speed_means", ValueLabel(f"≤ {fmt.append_unit('0000', 'mm/s')}"))
+        self._means.show_text("")
+        # it goes before the window is kept from becoming narrower
+        self._means.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._arm_label = QLabel()
         self._arm_label.setProperty("rank", "muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
-        wanted = (self._label, (self._slider, 1), self.field)
+        wanted = (self._label, (self._slider, 1), self.field, self._means)
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         controller.state_changed.connect(self._on_state_changed)
         controller.operating_state_changed.connect(self._on_operating_state_changed)
         self.retranslate_ui()
         self._input.show_value()
+
+    def _show_meaning(self, now: OperatingState, state: ArmState) -> None:
+        """Show what the percentage means for a motion of the present mode; a jog has its own."""
+        mode = None if state.status is None else state.status.value.move_mode
+        quiet = now.link is not LinkState.ONLINE or now.running or now.jogging
+        text = "" if quiet else _meaning(now, state.end_limits, mode)
+        if text != self._means.text():
+            self._means.show_text(text)
+            self._describe()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Tell what the percentage means in the tooltip alone where there is no room beside it."""
+        super().resizeEvent(event)
+        self._means.setVisible(event.size().width() >= _MEANING_FROM_PX)
+        self._describe()
 
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._input.follow_value()
@@ -118,6 +140,7 @@ class SpeedControl(Translated, QWidget):
             return
         percent = None if state.status is None else state.status.value.speed_percent
         stale = is_stale(state.status, state, self._controller.operating_state)
+        self._show_meaning(self._controller.operating_state, state)
         self._arm_value.show_text(fmt.percent(percent), stale=stale)
         self._slider.show_measured(None if stale else percent)
 
@@ -131,15 +154,34 @@ class SpeedControl(Translated, QWidget):
         """Set all texts in the operator's language."""
         self._label.setText(self.tr("Speed"))
         self._arm_label.setText(self.tr("Arm"))
+        self._means.setAccessibleName(self.tr("Speed at most, for a motion of the present mode"))
+        self._means.setToolTip(self._means.accessibleName())
+        self._describe()
+        self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
+        self._show_what_is_told(self._controller.operating_state.generation)
+
+    def _describe(self) -> None:
+        """Say what the percentage is for, and what it means where that stands nowhere else."""
         tip = self.tr(
             "The speed of everything, 0–100 %: of the arm's highest, and in a run of each point's "
             "or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion "
             "measured to be more than 1.5 times as fast as it was told is ended."
         ).format(slower=key_text("everywhere.slower"), faster=key_text("everywhere.faster"))
+        if self._means.isHidden() and self._means.text():
+            tip = f"{self._means.text()}\n{tip}"
         for widget in (self._slider, self.field):
             describe(widget, self.tr("Speed percentage"), tip)
-        self._arm_value.setAccessibleName(self.tr("Speed percentage reported by the arm"))
-        self._show_what_is_told(self._controller.operating_state.generation)
+
+
+def _meaning(now: OperatingState, end: Reading[EndLimits] | None, mode: int | None) -> str:
+    """Return the highest speed of the tool along a line or an arc, else of the fastest joint."""
+    share = now.speed_percent / 100.0
+    if mode not in {MoveMode.MOVE_L, MoveMode.MOVE_C}:
+        fastest_deg_s = max(each.max_speed_deg_s for each in now.limits)
+        return f"≤ {fmt.with_unit(share * fastest_deg_s, '°/s', 1)}"
+    if end is None:
+        return ""
+    return f"≤ {fmt.with_unit(share * 1e3 * end.value.max_linear_speed_m_s, 'mm/s', 0)}"
 
 
 class EnableButton(Translated, QAbstractButton):

@@ -121,3 +121,20 @@ def test_no_button_over_a_low_picture_lies_over_another(pages, size, language):
     over = ("help_button", "reset_view_button", "settings_button")
     strip = rect_in_window(pages.driver.find("view_bar"))
     assert not any(strip.intersects(rect_in_window(pages.driver.find(each))) for each in over)
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_what_the_speed_means_has_room_and_the_language_keeps_its_place(app_driver, language):
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1280, 800)
+    for _ in range(5):
+        QCoreApplication.processEvents()
+    before = rect_in_window(app_driver.find("language_button"))
+    app_driver.ready()
+    app_driver.run(0.1)
+    means = app_driver.find("speed_means")
+    assert means.isVisible()
+    assert means.text() == "≤ 51.6°/s"
+    assert means.width() >= means.sizeHint().width()
+    assert app_driver.find("speed_slider").width() >= 100
+    assert rect_in_window(app_driver.find("language_button")) == before
