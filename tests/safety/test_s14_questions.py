@@ -34,7 +34,7 @@ ASKING = {
     "ui/dialogs/settings.py": {"choose_file": 1},
     "ui/panels/cell/cell_panel.py": {"choose_file": 2, "confirm": 4},
     "ui/panels/gripper_panel.py": {"_ask_to_hold": 2},
-    "ui/panels/linkage_panel.py": {"confirm": 1},
+    "ui/panels/linkage_panel.py": {"_ask_to_hold": 1},
     "ui/panels/motor_panel.py": {"_ask_to_hold": 2},
     "ui/panels/panel.py": {"confirm": 1},
     "ui/panels/parameters/end_load_panel.py": {"_ask_to_hold": 1},

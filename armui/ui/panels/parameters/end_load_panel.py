@@ -333,7 +333,7 @@ class EndLoadPanel(Panel):
     @send.why_not
     def _why_not_send(self) -> Refusal | None:
         none = LOAD_NOT_CHOSEN() if self._loads.checkedId() < 0 else None
-        return none or why_no_load(self._operating_state)
+        return why_no_load(self._operating_state) or none
 
     @send.lit
     def _is_new(self) -> bool:
