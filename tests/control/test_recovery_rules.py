@@ -284,16 +284,16 @@ def is_valid(action: Action, state: ArmState, now: OperatingState) -> bool:
         return now.stop is StopState.REQUESTED
     if action is Action.TAKE_OVER:
         return now.other_host is not None and now.other_host.may_be_taken_over
-    if action in {Action.GO_ON, Action.GIVE_UP}:
-        return bool(now.holds) or (action is Action.GIVE_UP and now.may_hold_another)
     if action is Action.STOP:
         return now.stop is StopState.RUNNING
     return action in {Action.CONNECT, Action.CHECK_REFERENCE} or is_agreed_to(action, now)
 
 
 def is_agreed_to(action: Action, now: OperatingState) -> bool:
-    """Whether it agrees to something that waits for that."""
+    """Whether it agrees to something that waits for that, or ends what waits."""
     reference = now.reference
+    if action in {Action.GO_ON, Action.GIVE_UP}:
+        return bool(now.holds) or (action is Action.GIVE_UP and now.may_hold_another)
     if action is Action.COME_INSIDE:
         return now.outside != "" and now.cannot_move is None
     if action is Action.ALLOW:
