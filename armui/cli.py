@@ -19,9 +19,10 @@ from armui.system.command_line import (
     has_display,
     list_names,
     say,
+    with_output,
 )
 from armui.system.end_signals import end_at_once_on_ctrl_c, ignore_from_now_on, interrupting
-from armui.system.files import error_text, open_file
+from armui.system.files import NO_STANDARD_INPUT, error_text, is_standard_input, open_file
 
 _SIGNALLED: Final = 128
 """The number a shell adds to that of the signal that ended a command."""
@@ -50,15 +51,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         end_at_once_on_ctrl_c()
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words and words[0] in _COMMANDS:
-        code = _run_command(words[0], words[1:])
+        code = with_output(f"armui {words[0]}", lambda: _run_command(words[0], words[1:]))
         if arguments is None:
             ignore_from_now_on()
         return code
-    parser = _parser()
+    parser, asked = _parser(), words
     if words and words[0] == "replay":
-        parser = _replay_parser()
-        words = words[1:]
-    return _run_window(parser, parser.parse_args(words))
+        parser, asked = _replay_parser(), words[1:]
+    if not {"-h", "--help", "--version"} & set(words):  # the window needs no standard output
+        return _run_window(parser, parser.parse_args(asked))
+    return with_output("armui", lambda: _run_window(parser, parser.parse_args(asked)))
 
 
 def _run_command(name: str, words: Sequence[str]) -> int:
@@ -149,6 +151,8 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
 
 def _why_no_log(path: Path) -> str:
     """Return why a file cannot be replayed, before any window opens; "": it can be read."""
+    if is_standard_input(path):
+        return say(NO_STANDARD_INPUT)
     try:
         open_file(path).close()
     except OSError as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from itertools import chain
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 
 from armui.decode.lines import LineFormat
 from armui.protocol.codec import Codec
+from armui.protocol.detect import GenerationDetector
 from armui.protocol.firmware_version import (
     RECOMMENDED,
     VERSION_ID,
@@ -21,10 +23,12 @@ from armui.protocol.firmware_version import (
     quirks_of,
 )
 from armui.protocol.generation import Generation
+from armui.session.batch_builder import LOG_NO_TIMES
 from armui.session.frames import NOT_OF_THE_ARM, NotALogError
-from armui.session.log_model import detect_generation
+from armui.session.gripper_jumps import GRIPPER, GripperJumps
+from armui.session.log_model import detect_generation, feed
 from armui.session.reader import SUFFIXES, LogFile
-from armui.system.command_line import add_language, detach_output, say, write_out
+from armui.system.command_line import add_language, say, say_sentence, write_out
 from armui.system.files import error_text
 from armui.system.sentence import Told
 
@@ -87,8 +91,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "file",
         type=Path,
-        help=f"log: .log (candump -L) and whatever else python-can reads ({', '.join(SUFFIXES)}), "
-        "also with .gz",
+        help="log: .log (candump), .csv (python-can, SavvyCAN, ZLG) and whatever else python-can "
+        f"reads ({', '.join(SUFFIXES)}), also with .gz; - is the standard input",
     )
     parser.add_argument(
         "--generation",
@@ -121,10 +125,6 @@ def run(options: argparse.Namespace) -> int:
     except NotALogError as error:
         _complain(path, error_text(error))
         return EXIT_NO_LOG
-    except BrokenPipeError:
-        # The reader of the output, such as head, has seen enough.
-        detach_output()
-        return EXIT_COMPLETE
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
 
@@ -144,28 +144,69 @@ def _version(text: str) -> FirmwareVersion:
 
 def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_json: bool) -> int:
     batches = log.batches()
-    if wanted == "auto":
+    detector = GenerationDetector() if wanted == "auto" and log.is_pipe else None
+    generation = Generation.TWO if wanted == "auto" else Generation(int(wanted))
+    if wanted == "auto" and detector is None:
         looked_at, verdict = detect_generation(batches)
         generation = verdict.generation
         reason = verdict.reason
         text = Told("read as generation {number}: {reason}", number=int(generation), reason=reason)
         _complain(log.path, text)
         batches = chain(looked_at, batches)
-    else:
-        generation = Generation(int(wanted))
-    lines = LineFormat(Codec(generation, firmware=firmware), as_json=as_json)
+    codec = Codec(generation, firmware=firmware)
+    lines = LineFormat(codec, as_json=as_json)
     said = 0
+    told = noted = 0
     layout = _Layout(log.path, firmware)
+    jumps = GripperJumps()
     for batch in batches:
+        if detector is not None and not detector.certain:
+            # what comes through a pipe is shown at once, and its beginning not again
+            feed(detector, batch)
+            generation, reason = detector.verdict()
+            if told != generation:
+                figures = {"number": int(generation), "reason": reason}
+                text = Told("read as generation {number}: {reason}", **figures)
+                if told:
+                    text = Told("from here on read as generation {number}: {reason}", **figures)
+                _complain(log.path, text)
+                told = int(generation)
+                codec = Codec(generation, firmware=layout.firmware)
+                lines.speak(codec)
         if generation is Generation.TWO and layout.look_at(batch):
-            lines.speak(Codec(generation, firmware=layout.firmware))
-        write_out("\n".join(lines.lines(batch)) + "\n")
+            codec = Codec(generation, firmware=layout.firmware)
+            lines.speak(codec)
+        texts = lines.lines(batch)
+        if LOG_NO_TIMES() not in log.damages.notes:
+            _mark_jumps(texts, batch, codec, jumps, as_json=as_json)
+        noted = _say_notes(log, noted)
+        write_out("\n".join(texts) + "\n")
         said = _say_damages(log, said)
     _say_damages(log, said)
+    _say_notes(log, noted)
     if log.damages.not_kept:
         further = Told("{count} further places cannot be read", count=log.damages.not_kept)
         _complain(log.path, further)
     return EXIT_INCOMPLETE if log.damages.count else EXIT_COMPLETE
+
+
+def _mark_jumps(
+    texts: list[str], batch: FrameBatch, codec: Codec, jumps: GripperJumps, *, as_json: bool
+) -> None:
+    """Mark the lines in which the gripper's reading jumps."""
+    wire_id, layout = next(each for each in codec.layouts.items() if each[1].name == GRIPPER)
+    own = (batch.ids == wire_id) & ((batch.flags & NOT_OF_THE_ARM) == 0)
+    for index in np.unique(batch.channels[own]).tolist():
+        rows = np.flatnonzero(own & (batch.channels == index))
+        found = jumps.found(layout, batch.times_s[rows], batch.payloads[rows], index)
+        for row, jump in [(int(rows[place]), jump) for place, jump in found]:
+            text = f"from {jump.before:g} to {jump.after:g} {jump.unit} in {jump.within_ms:g} ms"
+            oddity = {"oddity": {"kind": "impossible jump", "detail": text}}
+            texts[row] = (
+                f"{texts[row][:-1]}, {json.dumps(oddity)[1:]}"
+                if as_json
+                else f"{texts[row]}  (impossible jump: {text})"
+            )
 
 
 class _Layout:
@@ -223,6 +264,13 @@ def _say_damages(log: LogFile, said: int) -> int:
     for damage in log.damages.since(said):
         _complain(log.path, damage.told())
     return len(log.damages)
+
+
+def _say_notes(log: LogFile, said: int) -> int:
+    """Says what else is to be known of the log, and was not said by the last call."""
+    for note in log.damages.notes[said:]:
+        _complain(log.path, say_sentence(note.reason, note.params))
+    return len(log.damages.notes)
 
 
 def _complain(path: Path, text: str) -> None:

@@ -25,7 +25,8 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.session.reader import SUFFIXES
-from armui.system.command_line import add_language, detach_output, say, write_out
+from armui.system.command_line import add_language, detach_output, say, say_sentence, write_out
+from armui.system.files import NO_STANDARD_INPUT, is_standard_input
 from armui.system.sentence import Told
 
 if TYPE_CHECKING:
@@ -175,6 +176,7 @@ def report_lines(report: ExportReport) -> list[str]:
                 count=report.without_stamp,
             )
         )
+    lines += [say_sentence(note.reason, note.params) for note in report.notes]
     lines += [damage.told() for damage in report.damages]
     if further := report.damage_count - len(report.damages):
         lines.append(Told("{count} further places cannot be read", count=further))
@@ -250,6 +252,9 @@ def run(options: argparse.Namespace) -> int:
     """
     request = _request(options)
     said: _Said = _SaidAsJson() if options.json else _Said(request)
+    if is_standard_input(request.log):
+        said.failed(ExportProblem.NO_LOG, NO_STANDARD_INPUT)
+        return EXIT_NOTHING
     try:
         # numpy and the readers take a moment, in which --help need not wait
         from armui.session.exports.export import export_log  # noqa: PLC0415 - see above

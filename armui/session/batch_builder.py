@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from armui.arm.refusal import Reason
 from armui.protocol.frame import FrameFlag
 from armui.session.frames import (
     CLASSIC_BYTES,
@@ -35,6 +36,19 @@ FURTHER_CHANNELS: Final = "further channels"
 """The common name of all channels beyond the 255th."""
 _EARLIEST_DATE_S: Final = 5e8
 _SMALLER_UNITS: Final = {"ms": 1e3, "µs": 1e6, "ns": 1e9, "ps": 1e12}
+LOG_NO_TIMES = Reason(
+    "log_no_times",
+    "The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, "
+    "nor any speed.",
+)
+LOG_PAUSES_ADDED = Reason(
+    "log_pauses_added", "Its times are those since the frame before: they were added up."
+)
+LOG_SMALLER_UNIT = Reason("log_smaller_unit", "Its times are in {unit}, and read as such.")
+LOG_LAST_LINE_TORN = Reason(
+    "log_last_line_torn", "Its last line breaks off and is left out, as where a recorder is ended."
+)
+_CERTAIN_STEPS: Final = 256
 MESSAGE_FLAGS: Final = (
     ("is_extended_id", FrameFlag.EXTENDED),
     ("is_remote_frame", FrameFlag.REMOTE),
@@ -62,6 +76,7 @@ class BatchBuilder:
         frames: The number of frames so far.
         damages: The list of contradictions.
         header_seen: True if the file begins as a log does: it is one, even if no frame follows.
+        pauses: True if the times are those since the frame before; ``None`` if they may be.
     """
 
     def __init__(self, damages: DamageList) -> None:
@@ -69,6 +84,9 @@ class BatchBuilder:
         self.header_seen = False
         self.damages = damages
         self._channels: dict[Channel, int] = {}
+        self.pauses: bool | None = False
+        self._steps = self._not_forward = 0
+        self._before_s: dict[int, float] = {}
         self._per_second: float | None = None
         self._last_s = 0.0
 
@@ -139,10 +157,32 @@ class BatchBuilder:
     def count(self, batch: FrameBatch) -> FrameBatch:
         """Counts a batch made elsewhere; returns it with times that are valid."""
         if len(batch):
+            if self.pauses is None:
+                self._look_for_pauses(batch)
+            if self.pauses:
+                self.damages.remark(LOG_PAUSES_ADDED())
+                batch = replace(batch, times_s=self._last_s + np.cumsum(batch.times_s))
             batch = self._with_times(batch)
             self._last_s = float(batch.times_s[-1])
         self.frames += len(batch)
         return batch
+
+    def _look_for_pauses(self, batch: FrameBatch) -> None:
+        """Tell times since the frame before from those since the beginning.
+
+        The latter grow on each channel; of the former about half are not larger than the one
+        before.
+        """
+        for channel in np.unique(batch.channels).tolist():
+            own = batch.times_s[batch.channels == channel]
+            steps = np.diff(own, prepend=self._before_s.get(channel, -np.inf))
+            self._before_s[channel] = float(own[-1])
+            self._steps += int(np.isfinite(steps).sum())
+            self._not_forward += int((steps <= 0.0).sum())
+        if self._not_forward and 5 * self._not_forward >= self._steps:
+            self.pauses = True
+        elif self._steps >= _CERTAIN_STEPS:
+            self.pauses = False
 
     def _with_times(self, batch: FrameBatch) -> FrameBatch:
         """Return the batch with times in seconds, none beyond `LATEST_S`.
@@ -174,8 +214,7 @@ class BatchBuilder:
         middle = float(np.sort(times_s)[times_s.size // 2])
         for unit, per_second in _SMALLER_UNITS.items() if middle > LATEST_S else ():
             if _EARLIEST_DATE_S < middle / per_second <= LATEST_S:
-                reason = Told("their times are in {unit}, read as such", unit=unit)
-                self.note(Told("all frames"), reason, 0)
+                self.damages.remark(LOG_SMALLER_UNIT(unit=unit))
                 return per_second
         return 1.0
 

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from armui.arm.refusal import Refusal
+
 CLASSIC_BYTES = 8
 """The most data bytes of a classic CAN frame."""
 MOST_BYTES = 64
@@ -127,11 +129,18 @@ class DamageList:
 
     Attributes:
         count: The number of all damaged places, also of those not kept.
+        notes: What is to be known of the log and is no damage, each once.
     """
 
     def __init__(self) -> None:
         self._kept: list[Damage] = []
         self.count = 0
+        self.notes: list[Refusal] = []
+
+    def remark(self, note: Refusal) -> None:
+        """Add to the notes."""
+        if note not in self.notes:
+            self.notes.append(note)
 
     def add(self, damage: Damage) -> None:
         """Keeps or counts one more damaged place."""

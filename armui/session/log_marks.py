@@ -12,6 +12,7 @@ from armui.protocol.codec import Codec
 from armui.protocol.codes import ArmStatusCode, MotorAction, StopCommand
 from armui.protocol.frame import FrameFlag
 from armui.protocol.signal_columns import payload_words, signal_column
+from armui.session.gripper_jumps import GRIPPER, GripperJumps
 from armui.session.session import DataRows, MarkKind, SessionMark
 
 if TYPE_CHECKING:
@@ -66,10 +67,12 @@ class LogFrames:
         channels: The channels of the log.
         rows: Returns times and payloads, shape (rows, 8), of the data frames of one identifier on
             one channel; ``None`` if there are none.
+        timed: False if the times are made up, so that no speed can be told from them.
     """
 
     channels: tuple[Channel, ...]
     rows: Callable[[Channel, int], tuple[NDArray[np.float64], NDArray[np.uint8]] | None]
+    timed: bool = True
 
 
 def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
@@ -86,6 +89,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
             marks += finder.of_status()
             marks += finder.of_stops()
             marks += finder.of_targets()
+            marks += finder.of_gripper() if frames.timed else ()
         finder = _Finder(frames, Codec(generation), channel)
         marks += finder.of_joints()
         marks += finder.of_motors()
@@ -95,7 +99,7 @@ def marks_of(frames: LogFrames, generation: Generation) -> list[SessionMark]:
 
 def marked_ids(generation: Generation) -> tuple[frozenset[int], frozenset[int]]:
     """Return the identifiers needed for marks: those read completely, and those only as heard."""
-    names = {"ArmStatus", "MotionCommand", "MotorEnable", *_TARGETS, *_DRIVERS}
+    names = {"ArmStatus", "MotionCommand", "MotorEnable", GRIPPER, *_TARGETS, *_DRIVERS}
     every, heard = set(), set()
     for offset in OFFSETS:
         layouts = Codec(generation, Addressing(offset, offset)).layouts.items()
@@ -189,6 +193,15 @@ class _Finder:
         command = MarkKind.COMMAND
         yield from self._sent(times_s, actions == MotorAction.ENABLE, command, code="enable_sent")
         yield from self._sent(times_s, actions == MotorAction.DISABLE, command, code="disable_sent")
+
+    def of_gripper(self) -> Iterator[SessionMark]:
+        """Yield the jumps of the gripper's reading."""
+        wire_id, layout = self._ids[GRIPPER]
+        found = self._frames.rows(self._channel, wire_id)
+        if found is not None:
+            for place, jump in GripperJumps().found(layout, *found)[:MOST_MARKS]:
+                told = {"code": "gripper_jump", **jump._asdict()}
+                yield self._mark(found[0], place, None, MarkKind.NOTE, **told)
 
     def of_silence(self) -> Iterator[SessionMark]:
         """Yield the stretches in which nothing of the arm is heard, under any offset."""

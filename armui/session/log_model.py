@@ -144,13 +144,28 @@ def detect_generation(
     count = 0
     for batch in batches:
         looked_at.append(batch)
-        for row in np.flatnonzero((batch.flags & NOT_OF_THE_ARM) == 0).tolist():
-            detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
-            if detector.certain:
-                return looked_at, detector.verdict()
-            count += 1
-            if count >= _FRAMES_LOOKED_AT and detector.has_evidence:
-                return looked_at, detector.verdict()
-        if count >= _MOST_FRAMES_LOOKED_AT:
+        count += feed(detector, batch, count)
+        enough = _FRAMES_LOOKED_AT if detector.has_evidence else _MOST_FRAMES_LOOKED_AT
+        if detector.certain or count >= enough:
             break
     return looked_at, detector.verdict()
+
+
+def feed(detector: GenerationDetector, batch: FrameBatch, before: int = 0) -> int:
+    """Show a detector the frames of a batch until it is certain, or has seen enough.
+
+    Args:
+        detector: The detector.
+        batch: The frames.
+        before: The frames it has seen.
+
+    Returns:
+        The frames it was shown.
+    """
+    count = 0
+    for row in np.flatnonzero((batch.flags & NOT_OF_THE_ARM) == 0).tolist():
+        detector.feed(Frame(int(batch.ids[row]), batch.data(row)), float(batch.times_s[row]))
+        count += 1
+        if detector.certain or (before + count >= _FRAMES_LOOKED_AT and detector.has_evidence):
+            break
+    return count

@@ -16,7 +16,7 @@ from armui.session.database_logs import read_database
 from armui.session.frames import DamageList, FrameBatch, NotALogError
 from armui.session.source import LogSource
 from armui.session.text_logs import TEXT_FORMATS, NonsenseError, read_text_log
-from armui.system.files import open_file
+from armui.system.files import NO_STANDARD_INPUT, is_standard_input, open_file
 from armui.system.sentence import Told
 
 if TYPE_CHECKING:
@@ -32,10 +32,32 @@ _SIGNS: Final = {
     ".gz": re.compile(rb"\A\x1f\x8b"),
     ".trc": re.compile(rb"^;\$FILEVERSION", re.MULTILINE),
     ".asc": re.compile(rb"^base\s+(hex|dec)\s", re.MULTILINE | re.IGNORECASE),
-    ".csv": re.compile(rb"^timestamp,arbitration_id,"),
-    ".log": re.compile(rb"^\(\d+\.\d+\) \S+ [0-9A-Fa-f]+#", re.MULTILINE),
+    ".csv": re.compile(
+        rb"\A(\xef\xbb\xbf)?(timestamp,arbitration_id|time stamp,id|\xd0\xf2\xba\xc5|\xe5\xba\x8f)",
+        re.IGNORECASE,
+    ),
+    ".log": re.compile(
+        rb"^\s*(\([\d. :-]+\)\s+)?\w+\s+([0-9A-F]+#|([RT]X\s.{3}\s+)?[0-9A-F]{3,8}\s+\[\d)",
+        re.MULTILINE | re.IGNORECASE,
+    ),
 }
 """The mark of each format near the beginning of its files."""
+_WAYS: Final = {
+    rb"\*\*\*BUSMASTER": Told("of BUSMASTER: convert it there to .asc"),
+    rb"Chn\s+Identifier\s+Fl": Told("of Kvaser CanKing: save it there as Vector's .asc"),
+    rb"\A(\n\r\r\n|\xd4\xc3\xb2\xa1|\xa1\xb2\xc3\xd4|\x4d\x3c\xb2\xa1|\"?No\.\"?,\"?Time\"?,)": Told(
+        "of Wireshark: record with candump -l or armui record instead"
+    ),
+    rb"\xe5\xb8\xa7|\xd6\xa1|\xe5\xba\x8f\xe5\x8f\xb7|\xd0\xf2\xba\xc5": Told(
+        "of ZLG or the like with other titles than CANTest's: save it there as .asc"
+    ),
+    rb"\A[^\n,;]*[A-Za-z][^\n,;]*([,;][^\n,;]+){2}": Told(
+        "with titles that are not known (SavvyCAN's, ZLG's and python-can's are): save it as .asc, "
+        ".blf or .trc where it was recorded"
+    ),
+}
+"""The way to what is read from what is not, by signs near the beginning of its files."""
+_TABLES: Final = (".csv", ".txt", ".log")
 _NOT_PACKED: Final = ".db"
 """The format that is not read sequentially, so that it cannot be compressed as .gz."""
 
@@ -51,12 +73,13 @@ class LogFile:
     def __init__(self, path: Path, *, pipes: bool = False) -> None:
         """Open a log and read its first frames.
 
-        Formats: candump -L, or its screen output with times (.log, .txt), Vector (.asc, .blf), PEAK
-        (.trc), python-can (.csv, .db); compressed ones but .db with .gz behind. Memory stays
-        bounded whatever the file holds.
+        Formats: candump, with -L or as its screen shows it (.log, .txt), Vector (.asc, .blf), PEAK
+        (.trc), tables of python-can, SavvyCAN and ZLG (.csv), python-can (.db); compressed ones but
+        .db with .gz behind. Memory stays bounded whatever the file holds.
 
         Args:
-            path: The file.
+            path: The file; with `pipes` also ``-``, the standard input, or a pipe without a suffix,
+                whose format is told by what comes first.
             pipes: See `LogSource`.
 
         Raises:
@@ -67,10 +90,14 @@ class LogFile:
         logging.getLogger("can").addHandler(logging.NullHandler())
         self.path = path
         self.damages = DamageList()
-        self._suffix = _log_suffix(path)
+        unnamed = is_standard_input(path) or (pipes and not path.suffixes and path.is_fifo())
+        if unnamed and not pipes:
+            raise NotALogError(NO_STANDARD_INPUT)
+        self._suffix = "" if unnamed else _log_suffix(path)
         self._builder = BatchBuilder(self.damages)
         self._source = LogSource(path, pipes=pipes)
         try:
+            self._suffix = self._suffix or _suffix_of(self._source.peek())
             self._batches = self._read()
             self._first = next(self._batches, None)
         except NonsenseError:
@@ -90,6 +117,11 @@ class LogFile:
     def size(self) -> int:
         """The size of the file in bytes, 0 if not known."""
         return self._source.size
+
+    @property
+    def is_pipe(self) -> bool:
+        """True if it comes through a pipe, perhaps while it is recorded."""
+        return self._source.is_pipe
 
     @property
     def position(self) -> int:
@@ -134,7 +166,8 @@ class LogFile:
         return read_text_log(self._source, TEXT_FORMATS[self._suffix], self._builder)
 
     def _no_log(self) -> NotALogError:
-        looks_like = _looks_like(self.path)
+        beginning = _beginning(self.path)
+        looks_like = _looks_like(beginning)
         reason = Told(
             "no CAN log: nothing in it reads as a frame of a {kind} file", kind=self._suffix
         )
@@ -146,17 +179,39 @@ class LogFile:
                 reason=reason,
                 kind=looks_like,
             )
+        elif self._suffix in _TABLES:
+            for sign, way in _WAYS.items():
+                if re.search(sign, beginning):
+                    reason = Told("{reason}; it looks like a file {way}", reason=reason, way=way)
+                    break
         return NotALogError(reason)
 
 
-def _looks_like(path: Path) -> str:
-    """Return the suffix that a file's beginning speaks for, "" if none."""
+def _beginning(path: Path) -> bytes:
     try:
         with open_file(path) as stream:
-            beginning = stream.read(_BEGINNING)
+            return stream.read(_BEGINNING)
     except OSError:
-        return ""
+        return b""
+
+
+def _looks_like(beginning: bytes) -> str:
+    """Return the suffix that a file's beginning speaks for, "" if none."""
     return next((suffix for suffix, sign in _SIGNS.items() if sign.search(beginning)), "")
+
+
+def _suffix_of(beginning: bytes) -> str:
+    """Return the suffix of what comes through a pipe, which has no name: candump's if none.
+
+    Raises:
+        NotALogError: It is of a kind that is read from files only.
+    """
+    suffix = _looks_like(beginning[:_BEGINNING]) or ".log"
+    if suffix == ".gz":
+        raise NotALogError(Told("it is packed: unpack it before, as with zcat run.log.gz | ..."))
+    if suffix == _NOT_PACKED:
+        raise NotALogError(Told("a database is read from its file only"))
+    return suffix
 
 
 def is_known_kind(path: Path) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import io
+import os
 import zlib
 from typing import IO, TYPE_CHECKING, cast
 
@@ -28,6 +29,8 @@ class LogSource:
         size: The size on the disk, 0 if not known (a pipe).
         taken: The bytes read so far, unpacked.
         broken: The reason why it could not be read to its end, "" if it could.
+        is_pipe: True for a pipe: what comes through it cannot be read again.
+        unended: True once the last line has been given, if it has no line end.
     """
 
     def __init__(self, log: Path | bytes, *, pipes: bool = False) -> None:
@@ -47,31 +50,50 @@ class LogSource:
         else:
             try:
                 self._raw = open_stream(log) if pipes else open_file(log)
-                self.size = log.stat().st_size
+                self.size = os.fstat(self._raw.fileno()).st_size
             except OSError as error:
                 raise NotALogError(error_text(error)) from error
             self._is_packed = log.suffix.lower() == ".gz"
         self._stream: IO[bytes] = (
             cast("IO[bytes]", gzip.GzipFile(fileobj=self._raw)) if self._is_packed else self._raw
         )
-        self._is_pipe = not self._raw.seekable()
+        self.is_pipe = not self._raw.seekable()
+        self._ahead = b""
         self.taken = 0
         self.broken = ""
+        self.unended = False
 
     @property
     def position(self) -> int:
         """The bytes of the file on the disk that were read, for a progress bar."""
-        return self.taken if self._is_pipe else self._raw.tell()
+        return self.taken if self.is_pipe else self._raw.tell()
+
+    def peek(self) -> bytes:
+        """Return what comes first through a pipe; it is read again."""
+        try:
+            self._ahead = self._ahead or cast("io.BufferedReader", self._stream).read1(_BLOCK)
+        except READ_ERRORS as error:
+            self.broken = _reason(error)
+        return self._ahead
 
     def read(self, size: int) -> bytes:
         """Return the next bytes, fewer at the end or where the file is damaged."""
         if self.broken or size <= 0:
             return b""
+        data, self._ahead = self._ahead[:size], self._ahead[size:]
+        rest = size - len(data)
         try:
-            data = self._packed(size) if self._is_packed else self._stream.read(size)
+            data += self._packed(rest) if self._is_packed else self._stream.read(rest)
         except READ_ERRORS as error:
             self.broken = _reason(error)
-            return b""
+        self.taken += len(data)
+        return data
+
+    def _block(self) -> bytes:
+        """Return the next block for lines; of a pipe what has come, at once."""
+        if not self.is_pipe or self.broken:
+            return self.read(_BLOCK)
+        data, self._ahead = self.peek(), b""
         self.taken += len(data)
         return data
 
@@ -96,15 +118,18 @@ class LogSource:
         self._stream.close()
         self._raw.close()
 
-    def lines(self) -> Iterator[list[str]]:
+    def lines(self, encoding: str = "utf-8") -> Iterator[list[str]]:
         """Yield blocks of stripped lines, blank ones included; an overlong line is truncated.
 
         Only line ends separate lines, so that the numbers are those of an editor.
+
+        Args:
+            encoding: What a block that is no UTF-8 is taken for.
         """
         carry = b""
         dropping = False
         first = True
-        while block := self.read(_BLOCK):
+        while block := self._block():
             *whole, rest = block.split(b"\n")
             if whole:
                 if not dropping:
@@ -116,16 +141,21 @@ class LogSource:
                 carry += rest
             if len(carry) > _LONGEST_LINE:
                 carry, dropping = carry[:_LONGEST_LINE], True
-            yield self._texts(whole, first)
+            yield self._texts(whole, encoding, first=first)
             first = first and not whole
         if carry:
-            yield self._texts([carry], first)
+            self.unended = True
+            yield self._texts([carry], encoding, first=first)
 
     @staticmethod
-    def _texts(lines: list[bytes], first: bool) -> list[str]:
+    def _texts(lines: list[bytes], encoding: str, *, first: bool) -> list[str]:
         if first and lines:
             lines[0] = lines[0].removeprefix(b"\xef\xbb\xbf")
-        text = b"\n".join([line[:_LONGEST_LINE] for line in lines]).decode("utf-8", "replace")
+        joined = b"\n".join([line[:_LONGEST_LINE] for line in lines])
+        try:
+            text = joined.decode()
+        except UnicodeDecodeError:
+            text = joined.decode(encoding, "replace")
         return [line.strip() for line in text.split("\n")] if lines else []
 
 

@@ -15,7 +15,10 @@ import can
 import numpy as np
 
 from armui.protocol.frame import FrameFlag
+from armui.session.batch_builder import LOG_LAST_LINE_TORN
+from armui.session.candump_lines import FRAME, CandumpLines
 from armui.session.frames import CLASSIC_BYTES, FrameBatch
+from armui.session.tables import TITLES_BEGIN, TableReader
 from armui.system.sentence import Told
 
 if TYPE_CHECKING:
@@ -27,16 +30,13 @@ if TYPE_CHECKING:
 _NEVER: Final = r"(?!)"
 _ERROR_FLAG: Final = 0x20000000
 _CANDUMP_FRAME: Final = re.compile(r"\s([0-9a-f]+)#([0-9a-f]*)", re.IGNORECASE)
-_CANDUMP_LENGTH_CODE: Final = re.compile(r"(#[0-9a-f]{16})_[9-f]\b", re.IGNORECASE)
-_LONGEST_SCREEN_LINE: Final = 400
-"""The most characters of a line; 64 bytes of CAN FD with their text take some 300."""
-_CANDUMP_SCREEN: Final = re.compile(
-    r"\((?P<time>[\d.]+)\)\s+(?P<channel>\S+)\s+(?:(?P<sent>TX)\s+[-BE\s]+|RX\s+[-BE\s]+)?"
-    r"(?P<id>[0-9a-f]{3}|[0-9a-f]{8})\s+(?:\[\d\]|(?P<fd>\[\d\d\]))\s+"
-    r"(?:(?P<remote>remote request)|(?P<data>(?:[0-9a-f]{2}(?:\s+|$))*))"
-    r"(?:\s*'.*)?(?:ERRORFRAME)?$",
-    re.IGNORECASE,
+_ASC_FLAGS_BEHIND: Final = 2
+"""The columns between the data of a line of CAN FD and its flags."""
+_ASC_IS_FD: Final = 0x1000
+_ASC_NAMED: Final = re.compile(
+    r"([\d.]+\s+\d+\s+)(?![\da-f]+x?\s)\S+(\s+[RT]x\s+[dr]\b.*\bID = (\d+)(x?))", re.IGNORECASE
 )
+_TRC_1_2: Final = re.compile(r"^(\d+\)\s+[\d.]+\s+\d+\s+[RT]x\s+[0-9A-F]+)(\s+\d)", re.IGNORECASE)
 
 _LINE: Final = re.compile(
     r"^\((\d+\.\d+)\) ([^\s#]+) ([0-7][0-9A-Fa-f]{2}|[01][0-9A-Fa-f]{7})"
@@ -60,11 +60,6 @@ def _unchanged(message: can.Message, _line: str) -> None:
     """Leave a message as python-can's reader made it of a line."""
 
 
-def _no_repair(_line: str) -> str | None:
-    """Return nothing: a line of this format cannot be rewritten."""
-    return None
-
-
 @dataclass(frozen=True)
 class TextFormat:
     """The properties of one format; the patterns ignore case.
@@ -78,8 +73,10 @@ class TextFormat:
             log lacks it and whenever the reader starts anew, so that no frame is swallowed instead.
         sound: The pattern of a line with a frame, if the reader also makes frames of other lines.
         complete: Adds to a message the parts of its line that the reader ignores; called for
-            extended identifiers and error frames only.
-        rewrite: Rewrites a line that the reader cannot read; None if not needed.
+            extended identifiers, CAN FD and error frames only.
+        adapt: Rewrites each line that the reader would misread.
+        pauses: A line of the header that says that times are those since the frame before.
+        encoding: What a text that is no UTF-8 is taken for.
     """
 
     name: str
@@ -89,7 +86,9 @@ class TextFormat:
     opening: str = ""
     sound: str = ""
     complete: Callable[[can.Message, str], None] = _unchanged
-    rewrite: Callable[[str], str | None] = _no_repair
+    adapt: Callable[[str], str] = str
+    pauses: str = _NEVER
+    encoding: str = "utf-8"
 
 
 def _complete_candump(message: can.Message, line: str) -> None:
@@ -111,45 +110,63 @@ def _complete_candump(message: can.Message, line: str) -> None:
     message.channel = int(channel) if channel.isdigit() else channel
 
 
-def _rewrite_candump(line: str) -> str | None:
-    """Return a line of candump's screen output, or one with a length code, as -L has it."""
-    without_code = _CANDUMP_LENGTH_CODE.sub(r"\1", line)
-    if without_code != line:
-        return without_code
-    # of a longer one, made to be slow to match, nothing would be left to read
-    found = _CANDUMP_SCREEN.match(line) if len(line) <= _LONGEST_SCREEN_LINE else None
-    if found is None:
-        return None
-    payload = "R" if found["remote"] else (found["data"] or "").replace(" ", "")
-    mark = "##0" if found["fd"] else "#"
-    sent = " T" if found["sent"] else ""
-    return f"({found['time']}) {found['channel']} {found['id']}{mark}{payload}{sent}"
+def _complete_asc(message: can.Message, line: str) -> None:
+    """Take a classic frame on a channel of CAN FD for what it is, which its flags tell."""
+    if not message.is_fd or message.is_error_frame:
+        return
+    words = line.split()
+    first = 9 if words[5].isdigit() else 10  # there may be a name behind the identifier
+    flags = words[first + len(message.data) + _ASC_FLAGS_BEHIND :][:1]
+    if flags and not int(flags[0], 16) & _ASC_IS_FD:
+        message.is_fd = False
+
+
+def _adapt_asc(line: str) -> str:
+    """Return a date, in whatever language, as a comment: times are from the log's beginning.
+
+    Where an identifier is a name, the number that stands behind the data takes its place.
+    """
+    if line[:4].lower() == "date":
+        return f"// {line}"
+    found = _ASC_NAMED.match(line)
+    return line if found is None else f"{found[1]}0x{int(found[3]):X}{found[4]}{found[2]}"
+
+
+def _adapt_trc(line: str) -> str:
+    """Return a line of version 1.2, which python-can does not know, as one of version 1.3."""
+    if line.startswith(";"):
+        return re.sub(r"^(;\$FILEVERSION=)1\.2\s*$", r"\g<1>1.3", line)
+    return _TRC_1_2.sub(r"\1 -\2", line)
 
 
 CANDUMP: Final = TextFormat(
     "candump",
     can.CanutilsLogReader,
-    sound=r"\([\d.]+\)\s+\S+\s+[\da-f]+#((#[\da-f])?([\da-f]{2})*|r\d*)(\s+[rt])?$",
+    sound=FRAME,
     complete=_complete_candump,
-    rewrite=_rewrite_candump,
 )
-CSV: Final = TextFormat("CSV", can.CSVReader, header=r"timestamp,", opening="timestamp,")
+CSV: Final = TextFormat("CSV", TableReader, header=TITLES_BEGIN, encoding="gb18030")
 ASC: Final = TextFormat(
     "ASC",
     can.ASCReader,
     header=r"date\s|base\s+(hex|dec)|(no\s+)?internal\s+events\s+logged",
     silent=(
         r"//|(begin|end)\s+triggerblock|previous\s+log\s+file"
-        r"|[\d.]+\s+(start of measurement|log\s|[a-z][\w ]*:"
-        r"|(can\s*)?\d+\s+(status|statistic)|(\w+\s+)*j1939)"
+        r"|[\d.]+\s+(?!can\s*\d|canfd)[^\d\s]"
+        r"|[\d.]+\s+((can|canfd)?\s*\d+\s+([a-z]+frame$|[^\W\d]+(:|\s*:=))|(\w+\s+)*j1939)"
+        r"|[\d.]+\s+can\s*\d+\s+status"
     ),
     opening="no internal events logged",
+    complete=_complete_asc,
+    adapt=_adapt_asc,
+    pauses=r"base\s+\w+\s+timestamps\s+relative",
 )
 TRC: Final = TextFormat(
     "TRC",
     can.TRCReader,
     header=r";\$(fileversion|starttime|columns)",
     silent=r";|\s*\d+\)?\s+[\d.]+\s+(\d+\s+)?(st|er|ec|ev|warng|error|ffffffff)\b",
+    adapt=_adapt_trc,
 )
 TEXT_FORMATS: Final = {".log": CANDUMP, ".txt": CANDUMP, ".csv": CSV, ".asc": ASC, ".trc": TRC}
 """The formats by file suffix."""
@@ -225,6 +242,7 @@ class _Lines:
         self._builder = builder
         self._blocks: Iterable[list[str]] = ()
         self._header = re.compile(log_format.header, re.IGNORECASE)
+        self._pauses = re.compile(log_format.pauses, re.IGNORECASE)
         self._silent = re.compile(log_format.silent, re.IGNORECASE)
         self._sound = re.compile(log_format.sound, re.IGNORECASE)
         self._format = log_format
@@ -232,8 +250,6 @@ class _Lines:
         self._opening = log_format.opening
         self._opened = not self._opening
         self._plain = not log_format.opening and log_format.header == r"(?!)"
-        self._again: str | None = None
-        self._rewritten = 0
         self._frames_before = 0
         self._sense_until = 0
         self._unreadable = 0
@@ -247,7 +263,7 @@ class _Lines:
         self._blocks = blocks
 
     def __iter__(self) -> Iterator[str]:
-        """Yield lines that are not blank, once each, and lines given back.
+        """Yield lines that are not blank, once each.
 
         Raises:
             NonsenseError: The file begins with too much that is no frame.
@@ -259,9 +275,8 @@ class _Lines:
                     continue
                 if not self._plain:
                     if self._header.match(line):
-                        self._builder.header_seen = True
-                        self._opened = self._opened or line.startswith(self._opening)
-                        yield line
+                        self._read_header(line)
+                        yield self._format.adapt(line)
                         continue
                     if not self._opened and not self._silent.match(line):
                         self._opened = True
@@ -270,13 +285,16 @@ class _Lines:
                 if self._strict and not self._sound.match(line):
                     self.go_on()
                 else:
-                    yield line
-                while self._again is not None:
-                    self.pending, self._again = self._again, None
-                    yield self.pending
+                    yield self._format.adapt(line)
                 if self.pending:
                     self.settle()
             self.look_for_end()
+
+    def _read_header(self, line: str) -> None:
+        self._builder.header_seen = True
+        self._opened = self._opened or line.startswith(self._opening)
+        if self._pauses.match(line):
+            self._builder.pauses = True
 
     def look_for_end(self) -> None:
         """Give up on a file that has held nothing readable for long.
@@ -296,27 +314,28 @@ class _Lines:
         """Do nothing: readers call this at their end, but the file belongs to its opener."""
 
     def go_on(self) -> None:
-        """After the reader has failed, try the line once in rewritten form, or note it.
+        """Note the line at which the reader has failed, unless it may yield nothing.
 
         A new generator of the reader comes next, which swallows the opening again.
         """
         self._opened = not self._opening
-        can_rewrite = self.number != self._rewritten
-        self._again = self._format.rewrite(self.pending) if can_rewrite else None
-        self._rewritten = self.number
-        if self._again is None:
-            self.skip()
+        self.settle()
 
     def settle_with(self, message: can.Message) -> bool:
         """Mark the pending line as read, and return true, if a message can have come of it."""
-        if not self._sound.match(self.pending):
+        if not self._sound.match(self.pending) or self._is_torn(message):
             self.skip()
             return False
-        if message.is_error_frame or message.is_extended_id:
+        if message.is_error_frame or message.is_extended_id or message.is_fd:
             self._format.complete(message, self.pending)
         self.pending = ""
         self.hopeful = True
         return True
+
+    def _is_torn(self, message: can.Message) -> bool:
+        """Return whether a frame is the rest of one, where the log breaks off."""
+        whole = message.is_remote_frame or message.is_fd or len(message.data) >= message.dlc
+        return self._source.unended and not whole
 
     def end(self) -> None:
         """Note the place where the file breaks off, if it does."""
@@ -331,10 +350,12 @@ class _Lines:
         self.pending = ""
 
     def skip(self) -> None:
-        """Note the pending line as unreadable."""
+        """Note the pending line as unreadable; the last one may just break off."""
         if not self.pending:
             return
-        if self._builder.damages.full:
+        if self._source.unended:
+            self._builder.damages.remark(LOG_LAST_LINE_TORN())
+        elif self._builder.damages.full:
             self._builder.damages.count += 1
         else:
             text = self.pending
@@ -364,15 +385,21 @@ def read_text_log(
     if log_format is CANDUMP:
         yield from _read_candump(source, lines, builder)
     else:
-        lines.feed(source.lines())
+        lines.feed(source.lines(log_format.encoding))
         yield from _read(lines, log_format, builder)
         lines.end()
 
 
 def _read_candump(source: LogSource, lines: _Lines, builder: BatchBuilder) -> Iterator[FrameBatch]:
     """Yield blocks of ordinary lines at once, all others through python-can's reader."""
-    for whole in source.lines():
+    screen = CandumpLines(builder)
+    for read in source.lines():
+        screen.look_at(read)
+        whole = read
         batch = quick_batch(whole, builder)
+        if batch is None:
+            whole = [screen.plain(line, unended=source.unended) for line in read]
+            batch = quick_batch(whole, builder)
         step = _LINES_AT_ONCE if batch is None else len(whole)
         for start in range(0, len(whole), step or 1):
             block = whole[start : start + step]

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache
 from itertools import pairwise
-from typing import Any, Final, NoReturn
+from typing import Any, Final, NoReturn, TextIO
 
 from armui.system.plain_words import (
     LANGUAGES,
@@ -288,21 +288,98 @@ def _angle(text: str) -> float:
     return angle_deg
 
 
-def write_out(text: str) -> None:
-    """Write to the output without buffering.
+class OutputError(Exception):
+    """The standard output is full or closed; the text tells which."""
+
+
+class _Output:
+    """The standard output; where it fails, that is told apart from what else fails.
+
+    Args:
+        stream: What it goes to.
+    """
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        """Write a text; see `_output_failures`."""
+        with _output_failures():
+            return self._stream.write(text)
+
+    def flush(self) -> None:
+        """Pass on what was written; see `_output_failures`."""
+        with _output_failures():
+            self._stream.flush()
+
+
+@contextmanager
+def _output_failures() -> Iterator[None]:
+    """Tell failures of the output apart.
 
     Raises:
         BrokenPipeError: The reader has ended, for example `head`. Windows calls that an invalid
             argument.
+        OutputError: It is full, for example.
     """
     try:
-        sys.stdout.write(text)
-        sys.stdout.flush()
+        yield
+    except BrokenPipeError:
+        raise
     except OSError as error:
         system: str = sys.platform
         if system == "win32" and error.errno == errno.EINVAL:
             raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE)) from error
-        raise
+        raise OutputError(error.strerror or str(error)) from error
+
+
+def with_output(name: str, run: Callable[[], int]) -> int:
+    """Run a command; a standard output that is full or closed costs one line on the other one.
+
+    Args:
+        name: What the command is called.
+        run: Runs it, and returns its exit code.
+
+    Returns:
+        Its exit code; 0 if the reader of its output has seen enough, as `head` does; 1 if the
+        output cannot be written.
+    """
+    own: Any = sys.stdout
+    failure = Told("it is closed")
+    if own is not None:
+        output: Any = _Output(own)
+        sys.stdout = output
+        try:
+            try:
+                return run()
+            finally:
+                output.flush()
+        except BrokenPipeError:
+            detach_output()
+            return 0
+        except OutputError as error:
+            failure = Told(str(error))
+            detach_output()
+        finally:
+            sys.stdout = own
+    if sys.stderr is not None:
+        text = Told("the standard output cannot be written: {reason}", reason=failure)
+        sys.stderr.write(f"{name}: {say(text)}\n")
+    return 1
+
+
+def write_out(text: str) -> None:
+    """Write to the output without buffering.
+
+    Raises:
+        BrokenPipeError, OutputError: See `_output_failures`.
+    """
+    with _output_failures():
+        sys.stdout.write(text)
+        sys.stdout.flush()
 
 
 def detach_output() -> None:

@@ -54,12 +54,27 @@ def open_file(path: Path | str, mode: Mode = "rb") -> BinaryIO:
     return file
 
 
+NO_STANDARD_INPUT: Final = Told(
+    "a file is needed here, not the standard input: keep what comes first, for example with "
+    "candump -L can0 > run.log"
+)
+
+
+def is_standard_input(path: Path) -> bool:
+    """Return whether a path on the command line means the standard input."""
+    return str(path) in {"-", "/dev/stdin", "/dev/fd/0", "/proc/self/fd/0"}
+
+
 def open_stream(path: Path) -> BinaryIO:
-    """Open a file or a pipe for reading, waiting for the pipe's writer; for commands only.
+    """Open a file, a pipe or the standard input (``-``) for reading; for commands only.
+
+    A pipe's writer is waited for.
 
     Raises:
         OSError: It cannot be opened.
     """
+    if is_standard_input(path):
+        return open(0, "rb", closefd=False)
     return open(path, "rb")  # noqa: PTH123 - as above
 
 

@@ -2171,6 +2171,10 @@
         <translation>退出码：0 全部读取；1 有些行无法读取（行号在错误输出中）；2 文件不是日志。</translation>
     </message>
     <message>
+        <source>log: .log (candump), .csv (python-can, SavvyCAN, ZLG) and whatever else python-can reads (.log, .asc, .blf, .trc, .csv, .db, .txt), also with .gz; - is the standard input</source>
+        <translation>日志：.log（candump）、.csv（python-can、SavvyCAN、周立功）及 python-can 能读的其他格式（.log, .asc, .blf, .trc, .csv, .db, .txt），也可带 .gz；- 为标准输入</translation>
+    </message>
+    <message>
         <source>protocol of the recorded arm; auto looks for evidence in the log (default)</source>
         <translation>所录机械臂的协议；auto 根据日志判断（默认）</translation>
     </message>
@@ -8781,6 +8785,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送解除急停</translation>
     </message>
     <message>
+        <source>The gripper&apos;s reading jumps from {before} to {after} {unit} within {within_ms} ms, faster than any gripper: its angle has wrapped, its zero was set, or a second arm answers</source>
+        <translation>夹爪读数在 {within_ms} ms 内从 {before} 跳到 {after} {unit}，任何夹爪都没有这么快：角度回绕、设置了零位，或有第二台机械臂在应答</translation>
+    </message>
+    <message>
         <source>Answered with 0x476 (setting {index})</source>
         <translation>已用 0x476 应答（设置 {index}）</translation>
     </message>
@@ -11475,6 +11483,22 @@ The other program must have ended.</source>
     <message>
         <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Release.</source>
         <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再解除急停。</translation>
+    </message>
+    <message>
+        <source>The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, nor any speed.</source>
+        <translation>日志中没有时间：各帧按顺序每隔 1 ms 排列。其中的时间和速度都不是测得的。</translation>
+    </message>
+    <message>
+        <source>Its times are those since the frame before: they were added up.</source>
+        <translation>日志中的时间是与前一帧的间隔：已逐帧累加。</translation>
+    </message>
+    <message>
+        <source>Its times are in {unit}, and read as such.</source>
+        <translation>日志中的时间以 {unit} 为单位，已按此读取。</translation>
+    </message>
+    <message>
+        <source>Its last line breaks off and is left out, as where a recorder is ended.</source>
+        <translation>最后一行不完整，已略去；记录程序被结束时常会如此。</translation>
     </message>
     <message>
         <source>{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other software, for example asammdf, and open what that has written.</source>

@@ -57,10 +57,7 @@ def objects(capsys) -> tuple[list[dict[str, Any]], str]:
 
 
 def in_process(*arguments: str, **keywords) -> subprocess.Popen[Any]:
-    code = (
-        "import argparse, sys; from armui.decode import add_arguments, run; "
-        "p = argparse.ArgumentParser(); add_arguments(p); sys.exit(run(p.parse_args()))"
-    )
+    code = "import sys; from armui.cli import main; sys.argv.insert(1, 'decode'); sys.exit(main())"
     return subprocess.Popen(
         [sys.executable, "-c", code, *arguments],
         cwd=Path(__file__).parents[2],

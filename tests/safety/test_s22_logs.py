@@ -140,7 +140,10 @@ def test_times_in_a_smaller_unit_are_read_as_such_and_it_is_said(unit, per_secon
     session = open_indexed(candump(tmp_path / "a.log", some, lambda at_s: at_s * per_second))
     assert session.start_s == pytest.approx(START_S, abs=1e-3)
     assert session.end_s == pytest.approx(some[-1][0], abs=1e-3)
-    assert [each.reason for each in session.damages] == [f"their times are in {unit}, read as such"]
+    assert session.damages == ()
+    assert [(each.code, each.params) for each in session.notes] == [
+        ("log_smaller_unit", {"unit": unit})
+    ]
     session.close()
 
 

@@ -211,7 +211,7 @@ def test_an_output_that_nobody_reads_any_more_is_told_as_elsewhere(monkeypatch):
     with pytest.raises(BrokenPipeError):
         command_line.write_out("a line\n")
     monkeypatch.setattr(sys, "platform", "linux")
-    with pytest.raises(OSError, match="Invalid argument"):
+    with pytest.raises(command_line.OutputError, match="Invalid argument"):
         command_line.write_out("a line\n")
 
 

@@ -45,6 +45,11 @@ LOGGED_MOTION_COMMAND = Observed(
     "logged_motion_command", "Trajectory or drag teaching command sent"
 )
 LOGGED_TARGETS = Observed("logged_targets", "{message} begin")
+LOGGED_GRIPPER_JUMP = Observed(
+    "logged_gripper_jump",
+    "The gripper's reading jumps from {before} to {after} {unit} within {within_ms} ms, faster "
+    "than any gripper: its angle has wrapped, its zero was set, or a second arm answers",
+)
 UNKNOWN_MARK = Observed("unknown_mark", "Unknown event: {code}")
 
 Wall = Callable[[float], datetime]
@@ -154,6 +159,9 @@ def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
         logged, level = _COMMANDS[code]
         params = {"message": mark.entry["message"]} if "message" in mark.entry else {}
         return _entry(mark, wall, logged, _COMMAND, params=params, level=level)
+    if code == "gripper_jump":
+        params = {name: mark.entry[name] for name in ("before", "after", "unit", "within_ms")}
+        return _entry(mark, wall, LOGGED_GRIPPER_JUMP, _OF_ARM, params=params, level=Level.WARNING)
     if code == "silent":
         level = OFFLINE_NOTICE.level
         return _entry(mark, wall, OFFLINE_NOTICE, _LINK, params={}, level=level)

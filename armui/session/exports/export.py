@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from typing import Any
 
+    from armui.arm.refusal import Refusal
     from armui.session.exports.exported_arm import ExportedArm
     from armui.session.exports.history import Sink
     from armui.session.exports.request import ExportRequest
@@ -69,6 +70,11 @@ class FileSource:
         return self._log.damages.since(0)
 
     @property
+    def notes(self) -> Sequence[Refusal]:
+        """What else is to be known of the log."""
+        return self._log.damages.notes
+
+    @property
     def damage_count(self) -> int:
         """The number of all damaged places."""
         return self._log.damages.count
@@ -93,6 +99,7 @@ class SessionSource:
         self._session = session
         self._at_s = session.start_s
         self.lines: Sequence[Mapping[str, Any]] = getattr(session, "lines", ())
+        self.notes: Sequence[Refusal] = getattr(session, "notes", ())
         self.frames = 0
 
     @property
@@ -260,6 +267,7 @@ class _Export:
             without_stamp=getattr(sink, "without_stamp", 0),
             damages=tuple(self._source.damages[:_MOST_DAMAGES_TOLD]),
             damage_count=self._source.damage_count,
+            notes=tuple(self._source.notes),
         )
 
 

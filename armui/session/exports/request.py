@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final, NamedTuple
 
+from armui.arm.refusal import Refusal
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.frames import Damage
 
@@ -133,6 +134,7 @@ class ExportReport:
         without_stamp: The number of frames whose time no ROS time stamp can hold.
         damages: The first damaged places of the log.
         damage_count: The number of all damaged places.
+        notes: What else is to be known of the log.
     """
 
     items: int
@@ -152,6 +154,7 @@ class ExportReport:
     without_stamp: int
     damages: tuple[Damage, ...]
     damage_count: int
+    notes: tuple[Refusal, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
+    from armui.arm.refusal import Refusal
     from armui.session.frames import Channel, Damage
     from armui.session.session import SessionMark
 
@@ -109,6 +110,7 @@ class LogIndex:
         marks: The marks found in the frames, in the order of time.
         damages: Damaged places, bounded.
         damage_count: The number of all damaged places.
+        notes: What is to be known of the log besides.
         reversed_times: The number of frames whose time was before that of the preceding one.
         cut: The reason why the rest of the log was not read: ``"frames"``, too many, or ``"disk"``,
             it is full; "" if all was read.
@@ -120,6 +122,7 @@ class LogIndex:
     marks: tuple[SessionMark, ...]
     damages: tuple[Damage, ...]
     damage_count: int
+    notes: tuple[Refusal, ...]
     reversed_times: int
     cut: str
 

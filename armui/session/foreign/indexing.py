@@ -10,6 +10,7 @@ import numpy as np
 from armui.arm.refusal import Reason, Refusal
 from armui.protocol.detect import GenerationDetector
 from armui.protocol.frame import Frame, FrameFlag
+from armui.session.batch_builder import LOG_NO_TIMES
 from armui.session.foreign.indexed import (
     COLUMNS,
     LONG_BYTES,
@@ -174,8 +175,9 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
             if cut:
                 break
         damages, damage_count = log.damages.since(0), log.damages.count
+        notes = tuple(log.damages.notes)
     reversed_times = _put_in_order(folder)
-    groups, marks = _order(folder, columns.channels)
+    groups, marks = _order(folder, columns.channels, timed=LOG_NO_TIMES() not in notes)
     return LogIndex(
         frames=columns.frames,
         channels=columns.channels,
@@ -183,6 +185,7 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
         marks=marks,
         damages=tuple(damages),
         damage_count=damage_count,
+        notes=notes,
         reversed_times=reversed_times,
         cut=cut,
     )
@@ -321,7 +324,7 @@ def _put_in_order(folder: Path) -> int:
 
 
 def _order(
-    folder: Path, channels: tuple[Channel, ...]
+    folder: Path, channels: tuple[Channel, ...], *, timed: bool
 ) -> tuple[tuple[int, ...], tuple[SessionMark, ...]]:
     """Write the frame numbers by identifier; where each begins, and the marks."""
     ids, flags, places = (_read(folder, name) for name in ("ids", "flags", "channels"))
@@ -343,7 +346,7 @@ def _order(
         return (times_s[numbers], payloads[numbers]) if numbers.size else None
 
     generation = _generation(ids, flags, payloads, times_s)
-    marks = marks_of(LogFrames(channels, rows), generation)
+    marks = marks_of(LogFrames(channels, rows, timed), generation)
     # An empty group begins where the next one does, and is left out.
     return tuple(dict.fromkeys(starts.tolist())), tuple(marks)
 

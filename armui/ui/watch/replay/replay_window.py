@@ -354,7 +354,7 @@ class ReplayWindow(ArmDialog):
 
     def _oddities(self, session: Session) -> str:
         """Return what of the log could not be read, or was put right."""
-        parts = []
+        parts = [words.refusal(each) for each in getattr(session, "notes", ())]
         if session.damage_count:
             text = self.tr("{count} places of the log could not be read; the rest is shown.")
             parts.append(text.format(count=fmt.count(session.damage_count)))
