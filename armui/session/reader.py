@@ -45,9 +45,9 @@ _SIGNS: Final = {
 _WAYS: Final = {
     rb"\*\*\*BUSMASTER": Told("of BUSMASTER: convert it there to .asc"),
     rb"Chn\s+Identifier\s+Fl": Told("of Kvaser CanKing: save it there as Vector's .asc"),
-    rb"\A(\n\r\r\n|\xd4\xc3\xb2\xa1|\xa1\xb2\xc3\xd4|\x4d\x3c\xb2\xa1|\"?No\.\"?,\"?Time\"?,)": Told(
-        "of Wireshark: record with candump -l or armui record instead"
-    ),
+    (
+        rb"\A(\n\r\r\n|\xd4\xc3\xb2\xa1|\xa1\xb2\xc3\xd4|\x4d\x3c\xb2\xa1|\"?No\.\"?,\"?Time\"?,)"
+    ): Told("of Wireshark: record with candump -l or armui record instead"),
     rb"\xe5\xb8\xa7|\xd6\xa1|\xe5\xba\x8f\xe5\x8f\xb7|\xd0\xf2\xba\xc5": Told(
         "of ZLG or the like with other titles than CANTest's: save it there as .asc"
     ),

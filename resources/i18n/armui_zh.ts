@@ -2415,6 +2415,10 @@
         <translation>日志中没有固件版本：MIT 帧按 S-V1.8-8 及更新的固件读取；机械臂固件更旧时，请用 --firmware 指定</translation>
     </message>
     <message>
+        <source>from here on read as generation {number}: {reason}</source>
+        <translation>此后按第 {number} 代协议读取：{reason}</translation>
+    </message>
+    <message>
         <source>{text!r} is not within 0.1 to {most:g} seconds</source>
         <translation>{text!r} 不在 0.1 至 {most:g} 秒之间</translation>
     </message>
@@ -2575,10 +2579,6 @@
         <translation>标识符 0x{can_id:X} 超出该帧的 {bits} 位标识符</translation>
     </message>
     <message>
-        <source>their times are in {unit}, read as such</source>
-        <translation>时间以 {unit} 为单位，已按此读取</translation>
-    </message>
-    <message>
         <source>its time is no number</source>
         <translation>时间不是数</translation>
     </message>
@@ -2589,10 +2589,6 @@
     <message>
         <source>its time is none that a log can have</source>
         <translation>时间超出日志可能的范围</translation>
-    </message>
-    <message>
-        <source>all frames</source>
-        <translation>所有帧</translation>
     </message>
     <message>
         <source>more than {most} channels; the others are read as one</source>
@@ -2695,12 +2691,40 @@
         <translation>{place}自相矛盾：{reason}</translation>
     </message>
     <message>
+        <source>of BUSMASTER: convert it there to .asc</source>
+        <translation>BUSMASTER 的文件：请在其中转换为 .asc</translation>
+    </message>
+    <message>
+        <source>of Kvaser CanKing: save it there as Vector&apos;s .asc</source>
+        <translation>Kvaser CanKing 的文件：请在其中另存为 Vector 的 .asc</translation>
+    </message>
+    <message>
+        <source>of Wireshark: record with candump -l or armui record instead</source>
+        <translation>Wireshark 的文件：请改用 candump -l 或 armui record 记录</translation>
+    </message>
+    <message>
+        <source>of ZLG or the like with other titles than CANTest&apos;s: save it there as .asc</source>
+        <translation>致远等软件的文件，但表头与 CANTest 不同：请在其中另存为 .asc</translation>
+    </message>
+    <message>
+        <source>with titles that are not known (SavvyCAN&apos;s, ZLG&apos;s and python-can&apos;s are): save it as .asc, .blf or .trc where it was recorded</source>
+        <translation>表头未知的表格（已知 SavvyCAN、致远和 python-can 的表头）：请在记录软件中另存为 .asc、.blf 或 .trc</translation>
+    </message>
+    <message>
         <source>no CAN log: nothing in it reads as a frame of a {kind} file</source>
         <translation>不是 CAN 日志：其中没有能按 {kind} 格式读取的帧</translation>
     </message>
     <message>
         <source>{reason} ({error})</source>
         <translation>{reason}（{error}）</translation>
+    </message>
+    <message>
+        <source>it is packed: unpack it before, as with zcat run.log.gz | ...</source>
+        <translation>内容是压缩的：请先解压，例如 zcat run.log.gz | ...</translation>
+    </message>
+    <message>
+        <source>a database is read from its file only</source>
+        <translation>数据库只能从文件读取</translation>
     </message>
     <message>
         <source>MF4 is not read: convert it to .asc or .blf with other software, for example asammdf</source>
@@ -2713,6 +2737,10 @@
     <message>
         <source>{reason}; it looks like a {kind} file: give it that suffix</source>
         <translation>{reason}；它像是 {kind} 文件：请改用该后缀</translation>
+    </message>
+    <message>
+        <source>{reason}; it looks like a file {way}</source>
+        <translation>{reason}；看起来是{way}</translation>
     </message>
     <message>
         <source>byte {byte} of a block</source>
@@ -2751,8 +2779,20 @@
         <translation>连续很多字节中没有一帧；其余部分未读取</translation>
     </message>
     <message>
+        <source>it is closed</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>the standard output cannot be written: {reason}</source>
+        <translation>无法写入标准输出：{reason}</translation>
+    </message>
+    <message>
         <source>{text!r} is no angle; give degrees from -{most:g} to {most:g}</source>
         <translation>{text!r} 不是角度；请给出 -{most:g} 至 {most:g} 之间的度数</translation>
+    </message>
+    <message>
+        <source>a file is needed here, not the standard input: keep what comes first, for example with candump -L can0 &gt; run.log</source>
+        <translation>此处需要文件，不能用标准输入：请先保存，例如 candump -L can0 &gt; run.log</translation>
     </message>
     <message>
         <source>it is a folder, not a file</source>

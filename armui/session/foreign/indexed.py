@@ -152,12 +152,13 @@ class IndexedLog:
             open files may lose their names, and at `close`.
 
     Attributes:
-        frames, channels, marks, damages, damage_count, reversed_times, cut: See `LogIndex`.
+        frames, channels, marks, damages, damage_count, notes, reversed_times, cut: See `LogIndex`.
     """
 
     def __init__(self, index: LogIndex, folder: Path, remove: Callable[[], object]) -> None:
         self.frames, self.channels, self.marks = index.frames, index.channels, index.marks
         self.damages, self.damage_count = index.damages, index.damage_count
+        self.notes = index.notes
         self.reversed_times, self.cut = index.reversed_times, index.cut
         self._folder = folder
         self._remove = remove
