@@ -42,10 +42,25 @@ def angle(value_deg: float | None) -> str:
     return with_unit(value_deg, "°")
 
 
+def short_number(value: float, decimals: int = DECIMALS) -> str:
+    """Return a figure without its unit and with only the decimals it needs."""
+    return number(value, decimals).rstrip("0").rstrip(".")
+
+
 def short_angle(value_deg: float) -> str:
     """Return an angle with only the decimals it needs, for the ends of a scale."""
-    text = number(value_deg)
-    return f"{text.rstrip('0').rstrip('.')}°"
+    return f"{short_number(value_deg)}°"
+
+
+def spoken(values: Sequence[float]) -> list[str]:
+    """Return the figures of one sentence without their units.
+
+    They have one decimal at most; those below 1, and all where two would look alike, as an angle
+    and the limit it exceeds, have as many as the bus.
+    """
+    large = {value for value in values if abs(value) >= 1}
+    alike = len({number(value, 1) for value in large}) < len(large)
+    return [short_number(value, DECIMALS if alike or abs(value) < 1 else 1) for value in values]
 
 
 def percent(value: float | None) -> str:

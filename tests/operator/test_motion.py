@@ -175,7 +175,7 @@ def test_a_jog_over_the_limit_is_refused_and_says_so(ready):
     ready.run(0.1)
     assert ready.heard() == []
     message = ready.read("motion_message")
-    assert message == "J2 is at its limit of 0.000°. Jog the other way."
+    assert message == "J2 is at its limit of 0°. Jog the other way."
 
 
 def test_typed_angles_are_sent_by_the_send_button_only(ready):
@@ -204,8 +204,8 @@ def test_angles_out_of_limits_are_kept_marked_and_refused(ready):
     ready.run(0.1)
     assert ready.heard() == []
     message = ready.read("motion_message")
-    assert "70.500" in message
-    assert "70.000" in message
+    assert "70.5" in message
+    assert "70°" in message
 
 
 def test_load_fills_the_fields_with_what_was_measured(ready):

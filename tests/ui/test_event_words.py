@@ -238,9 +238,9 @@ OLD_LINE = (
 def test_an_event_of_an_older_file_reads_as_a_sentence(translated):
     read = from_record(json.loads(OLD_LINE))
     translated("en")
-    assert words.entry_text(read) == "J3 is at its limit of -12.500°. Jog the other way."
+    assert words.entry_text(read) == "J3 is at its limit of -12.5°. Jog the other way."
     translated("zh")
-    assert words.entry_text(read) == "J3 已到限位 -12.500°，请向反方向点动。"
+    assert words.entry_text(read) == "J3 已到限位 -12.5°，请向反方向点动。"
 
 
 def test_a_reason_of_a_newer_program_is_named(translated):

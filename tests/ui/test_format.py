@@ -1,3 +1,5 @@
+import math
+
 import pytest
 
 from armui.ui import format as fmt
@@ -50,3 +52,19 @@ def test_joints_in_a_row_are_one_span():
     assert fmt.joint_spans([1, 3, 4, 5, 6]) == "J1, J3–J6"
     assert fmt.joint_spans([1, 2, 5, 6]) == "J1, J2, J5, J6"
     assert fmt.joint_spans([]) == ""
+
+
+@pytest.mark.parametrize(
+    ("values", "texts"),
+    [
+        ([337.0], ["337"]),
+        ([337.04, -12.26], ["337", "-12.3"]),
+        ([0.125, 30.0], ["0.125", "30"]),
+        ([180.04, 180.0], ["180.04", "180"]),
+        ([0.0], ["0"]),
+        ([100.0, math.nan], ["100", "—"]),
+    ],
+)
+def test_figures_of_a_sentence_have_the_decimals_that_tell_them_apart(values, texts):
+    """What exceeds a limit by little must not read as the limit."""
+    assert fmt.spoken(values) == texts

@@ -78,8 +78,8 @@ def test_a_jog_step_holds_at_once(
 @pytest.mark.parametrize(
     ("typed", "reason"),
     [
-        ("31", "Jog step 31.000° is out of range. Enter a value from 0.001° to 30.000°."),
-        ("0", "Jog step 0.000° is out of range. Enter a value from 0.001° to 30.000°."),
+        ("31", "Jog step 31° is out of range. Enter a value from 0.001° to 30°."),
+        ("0", "Jog step 0° is out of range. Enter a value from 0.001° to 30°."),
         ("x", "Jog step: “x” is not an angle. Enter a number of degrees, for example 0.5."),
         ("", "Jog step: “” is not an angle. Enter a number of degrees, for example 0.5."),
     ],

@@ -105,7 +105,7 @@ def test_status_frame_lost_while_others_arrive(bar, controller):
 
 def test_last_notice_with_its_time(bar, controller):
     controller.noticed.emit(Event(NOON, JOGGED, {"joint": 2, "target": 12.0}))
-    assert text(bar, "notice_label") == "12:03:04  Sent J2 12.000°"
+    assert text(bar, "notice_label") == "12:03:04  Sent J2 12°"
     assert not bar._notice_icon.isVisible()
     controller.noticed.emit(Event(NOON, STOP_UNCONFIRMED, {}))
     assert "NOT confirmed" in text(bar, "notice_label")

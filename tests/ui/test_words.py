@@ -151,7 +151,7 @@ def test_a_figure_of_a_point_is_named_with_its_unit_and_limits(qapp: QApplicatio
     )
     far = replace(point, speed_percent=1, gripper=GripperOpening(500.0))
     assert words.refusal(check_point(far) or PLACED) == (
-        "Gripper opening: 500.000 mm is out of range. Enter a value from 0.000 mm to 200.000 mm."
+        "Gripper opening: 500 mm is out of range. Enter a value from 0 mm to 200 mm."
     )
     missing = columns.check_mapping(columns.ColumnMapping(()))
     assert words.refusal(missing or PLACED) == (
@@ -166,7 +166,7 @@ def test_an_angle_out_of_limits_names_joint_value_and_limits(chinese: None) -> N
     limits = {"joint": 2, "value": 181.0, "minimum": 0.0, "maximum": 180.0}
 
     assert words.refusal(JOINT_OUT_OF_LIMITS(**limits)) == (
-        "关节 2：181.000° 超出限位 0.000° 至 180.000°。请输入限位以内的角度。"
+        "关节 2：181° 超出限位 0° 至 180°。请输入限位以内的角度。"
     )
 
 
@@ -209,9 +209,7 @@ def test_a_notice_without_its_reason_ends_cleanly(qapp: QApplication) -> None:
 def test_six_angles_sent(chinese: None) -> None:
     angles = {f"j{n}": float(n) for n in range(1, 7)}
 
-    assert event(SENT_JOINTS, **angles) == (
-        "已发送 J1 1.000°  J2 2.000°  J3 3.000°  J4 4.000°  J5 5.000°  J6 6.000°"
-    )
+    assert event(SENT_JOINTS, **angles) == ("已发送 J1 1°  J2 2°  J3 3°  J4 4°  J5 5°  J6 6°")
 
 
 def test_generation_1_has_no_firmware_text(qapp: QApplication) -> None:

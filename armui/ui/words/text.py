@@ -15,6 +15,7 @@ from armui.protocol.codes import ALL_JOINTS
 from armui.system import paths
 from armui.system.files import read_file
 from armui.system.sentence import Sentence, Told
+from armui.ui import format as fmt
 
 Key = TypeVar("Key")
 Other = TypeVar("Other")
@@ -48,12 +49,12 @@ class _Figures(dict[str, str]):
 
 
 def _figure(name: str, value: object) -> str:
-    """Return a value as the operator reads it: numbers with a fraction get three decimals."""
+    """Return a value as the operator reads it."""
     if name == "joint" and value == ALL_JOINTS:
         return f"{JOINTS[0]}–{JOINTS[-1]}"
     if isinstance(value, Told):
         return told(value)
-    text = f"{value:.3f}" if isinstance(value, float) else str(value)
+    text = str(value)
     return listed(text.split(", ")) if _LIST.fullmatch(text) else text
 
 
@@ -63,12 +64,14 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     Args:
         context: The translation context the sentence was marked with.
         source: The English sentence as marked by ``QT_TRANSLATE_NOOP``; ``{name}`` is a figure.
-        params: The figures by name; floats are shown with three decimals.
+        params: The figures by name; floats are shown as `fmt.spoken` has them.
 
     Returns:
         The sentence; a figure that is not in ``params`` shows as «—».
     """
-    figures = _Figures({key: _figure(key, value) for key, value in params.items()})
+    floats = {key: value for key, value in params.items() if isinstance(value, float)}
+    spoken = dict(zip(floats, fmt.spoken([*floats.values()]), strict=True))
+    figures = _Figures({key: _figure(key, value) for key, value in {**params, **spoken}.items()})
     return QCoreApplication.translate(context, str(source)).format_map(figures)
 
 

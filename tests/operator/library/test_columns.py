@@ -246,7 +246,7 @@ def test_a_wrong_unit_shows_in_the_limits_it_breaks(operator):
     operator.open(line=TITLED)
     operator.choose(operator.box("unit", 2), "rad")
     operator.take()
-    assert operator.message().startswith("Not imported. Line 2: J1: 572.958° is out of range.")
+    assert operator.message().startswith("Not imported. Line 2: J1: 573° is out of range.")
     assert operator.library.entries() == []
 
 
