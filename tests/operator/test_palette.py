@@ -92,6 +92,17 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
         ("preferences", "Settings"),
         ("帮助", "User guide"),
         ("quit", "Close the program"),
+        *((each, "Back up, compare, restore") for each in ("backup", "备份", "保存参数")),
+        *((each, "Drag teaching") for each in ("freedrive", "hand guide", "拖拽")),
+        *((each, "Connect arm") for each in ("baud", "disconnect", "simulator", "断开", "仿真")),
+        *((each, "Cell") for each in ("safety", "fence", "calibrate tcp", "安全", "标定")),
+        *((each, "End load") for each in ("payload", "重量")),
+        *((each, "Gamepad") for each in ("joystick", "spacemouse", "摇杆")),
+        *((each, "Linkage") for each in ("leader", "主从")),
+        *((each, "Gripper control") for each in ("torque", "力矩")),
+        *((each, "Trajectory library") for each in ("waypoint", "路点")),
+        ("led", "Light control"),
+        ("断电", "Enable or disable"),
     ],
 )
 def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first):

@@ -28,7 +28,7 @@ from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
@@ -67,7 +67,11 @@ class SettingsDialog(ArmDialog):
     """
 
     commands = (
-        Command("settings.gamepad", Text("SettingsDialog", "Gamepad…")),
+        Command(
+            "settings.gamepad",
+            Text("SettingsDialog", "Gamepad…"),
+            synonyms=also("joystick spacemouse 摇杆"),
+        ),
         Command("settings.jog_floor", setting_label("jog_floor_mm")),
         *(Command(f"settings.{name}", setting_label(name)) for name in _BOXES),
     )

@@ -138,7 +138,7 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
     "library": PageEntry(
         Text("LibraryButton", "Trajectory library"), Home.BESIDE, library_page,
         command=Command("library.open", Text("LibraryButton", "Trajectory library"),
-                        synonyms=also("program programs trajectories 程序 轨迹")),
+                        synonyms=also("program programs trajectories waypoint 程序 轨迹 路点")),
         show=lambda it: it.trajectories.open_library()),
     "editor": PageEntry(
         Text("Place", "Trajectory editor"), Home.BESIDE, editor_page,
@@ -208,7 +208,8 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("Action", "Back up, compare, restore parameters"), Home.WINDOW, backup_dialog,
         lambda it: backup_dialog()(it.controller, it.background, it.window),
         command=Command("window.backup", Text("Action", "Back up, compare, restore parameters"),
-                        risky=True, synonyms=also("restore factory 恢复 出厂"))),
+                        risky=True,
+                        synonyms=also("backup save restore factory 备份 恢复 出厂 保存参数"))),
     "connect": PageEntry(
         Text("ConnectDialog", "Connect arm"), Home.WINDOW, connect_dialog, _new_connect),
     "settings": PageEntry(

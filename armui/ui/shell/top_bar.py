@@ -73,7 +73,10 @@ _OF_ITSELF: Final = (
 """What an arm does that is said in the place of what its motors are told."""
 _WIDEST_PX: Final = 620
 _MEANING_FROM_PX: Final = 400
-_CONNECT: Final = also("open port device adapter can 设备 端口 打开")
+_CONNECT: Final = also(
+    "open port device adapter can baud bitrate disconnect simulator simulated simulate "
+    "设备 端口 打开 波特率 断开 仿真 模拟"
+)
 
 
 class SpeedControl(Translated, QWidget):
@@ -511,7 +514,7 @@ class TopBar(Translated, QWidget):
         Command(
             "window.enable",
             Text("Action", "Enable or disable all motors"),
-            synonyms=also("power servo on off 上电 下电 伺服"),
+            synonyms=also("power servo on off 上电 下电 断电 伺服"),
         ),
         Command(
             "window.speed",
