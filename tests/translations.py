@@ -144,8 +144,9 @@ def command_texts() -> list[str]:
             asked[text] = None
         return text
 
+    parsers = cli.parsers()  # before: what they import takes `say` with it
     with patch.object(command_line, "say", note):
-        for parser in cli.parsers():
+        for parser in parsers:
             parser.format_help()
     for _, tree in modules():
         for node in ast.walk(tree):

@@ -29,10 +29,10 @@ from armui.system.files import error_text, read_file
 CELL_NO_JSON = Reason(
     "cell_no_json",
     "The cell's file is broken or cut short: line {line}, column {column} is not JSON. Nothing "
-    "was taken over; choose another file, or correct that line.",
+    "was changed; choose another file, or correct that line.",
 )
 CELL_FOREIGN = Reason(
-    "cell_foreign", "This is no cell of this program. Nothing was taken over; choose another file."
+    "cell_foreign", "This is no cell of this program. Nothing was changed; choose another file."
 )
 CELL_VERSION = Reason(
     "cell_version",
@@ -41,7 +41,7 @@ CELL_VERSION = Reason(
 )
 CELL_FIELD_BAD = Reason(
     "cell_field_bad",
-    "The cell's file is not valid at “{field}” ({problem}). Nothing was taken over; choose "
+    "The cell's file is not valid at “{field}” ({problem}). Nothing was changed; choose "
     "another file, or correct the field.",
 )
 CELL_UNREADABLE = Reason(

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 TOO_LOW = Reason(
     "too_low",
-    "The hand or what it holds would come to {value} mm; motions end at {minimum} mm, as chosen "
+    "The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen "
     "under Settings. Move upwards.",
 )
 HITS_ITSELF = Reason(

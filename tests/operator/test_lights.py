@@ -74,7 +74,7 @@ def test_the_values_are_kept_while_another_panel_is_used(lit):
     assert lit.read("green_field") == "3"
     lit.store.change(language="en")
     lit.step()
-    assert lit.read("light_confirm_button") == "Confirm"
+    assert lit.read("light_confirm_button") == "Send colour"
 
 
 @ONE_IS_ENOUGH

@@ -44,7 +44,9 @@ SHOWN = {
     "motors.resume": Shown("stopped", "recovery_hold_button", "stop", "release", "解除急停"),
     "joints.set_zero": Shown("motor", "zero_motor_1", "motor", "set zero", "零点设置"),
     "joints.clear_error": Shown("motor", "clear_motor_1", "motor", "clear error", "清除错误"),
-    "lamps.set": Shown("light", "light_confirm_button", "light", "“Confirm” sends", "“确认”发送"),
+    "lamps.set": Shown(
+        "light", "light_confirm_button", "light", "“Send colour” sends", "“确认”发送"
+    ),
     "gripper.move": Shown(
         "gripper", "gripper_send_button", "gripper", "“Send” moves", "“发送”移动"
     ),
@@ -56,7 +58,7 @@ SHOWN = {
     "gripper.set_zero": Shown(
         "gripper", "gripper_zero_button", "gripper", "“Set zero”", "“零点设置”"
     ),
-    "linkage.set": Shown("linkage", "linkage_confirm_button", "linkage", "master", "主臂"),
+    "linkage.set": Shown("linkage", "linkage_confirm_button", "linkage", "leader", "主臂"),
     "end_load.set": Shown("end_load", "load_confirm_button", "end_load", "full load", "满载"),
     "end_load.report": Shown(
         "end_load", "end_feedback_button", "end_load", "speed and acceleration", "速度和加速度"
@@ -121,7 +123,9 @@ SHOWN = {
     ),
     "cell.take": Shown("cell", "cell_new_button", "cell", "**New**", "**新建**"),
     "cell.choose": Shown("cell", "cell_box", "cell", "Choosing", "选择"),
-    "cell.confirm": Shown("cell", "cell_confirm_button", "cell", "**Confirm**", "**确认**"),
+    "cell.confirm": Shown(
+        "cell", "cell_confirm_button", "cell", "**Confirm cell**", "**确认单元**"
+    ),
     "cell.change": Shown("cell", "cell_tool_apply", "cell", "**Apply**", "**应用**"),
     "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "cell.rename": Shown("cell", "cell_rename_button", "cell", "**Rename**", "**改名**"),

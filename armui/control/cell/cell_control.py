@@ -53,10 +53,10 @@ CELL_RENAMED = Notice("cell_renamed", "Cell renamed: {name}", Level.INFO, EventK
 CELL_DELETED = Notice("cell_deleted", "Cell deleted: {name}", Level.INFO, EventKind.COMMAND)
 CELL_CONFIRMED = Notice("cell_confirmed", "Cell confirmed: {name}", Level.INFO, EventKind.COMMAND)
 HELD_NOW = Notice(
-    "held_now", "From here on the hand holds “{name}”.", Level.INFO, EventKind.COMMAND
+    "held_now", "From here on the gripper holds “{name}”.", Level.INFO, EventKind.COMMAND
 )
 HELD_NOTHING = Notice(
-    "held_nothing", "From here on the hand holds nothing.", Level.INFO, EventKind.COMMAND
+    "held_nothing", "From here on the gripper holds nothing.", Level.INFO, EventKind.COMMAND
 )
 CELL_STAYS = Notice(
     "cell_stays",
@@ -369,7 +369,7 @@ class CellControl(ControllerPart):
         self._done(started, CELL_DELETED, name)
         return None
 
-    @operation("cell.hold", "Say what the hand holds", why_not_change)
+    @operation("cell.hold", "Say what the gripper holds", why_not_change)
     def hold(self, started: Started, name: str) -> Refusal | None:
         """Count an object as held from now on, or nothing for ""; also before it is confirmed."""
         cell = self.cell

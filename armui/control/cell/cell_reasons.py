@@ -11,8 +11,8 @@ CELL_NOT_CONFIRMED = Reason(
 )
 CELL_HOLDING_NOT_CONFIRMED = Reason(
     "cell_holding_not_confirmed",
-    "This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both "
-    "if they are there; if the hand is empty, let go under Cell, Held first.",
+    "This adapter was last used with the cell “{name}”, and the gripper held “{held}”. Confirm "
+    "both if they are there; if the gripper is empty, let go under Cell, Held first.",
 )
 CELL_NOT_READ = Reason(
     "cell_not_read",

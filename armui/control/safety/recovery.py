@@ -55,7 +55,7 @@ MOTION_OUTPUT_SENT = Notice(
 )
 STEP_IN_VAIN_NOTICE = Notice(
     "step_in_vain",
-    "The arm did not react. Look at the step above the panel.",
+    "The arm did not react. Look at the line above the panels.",
     Level.FAULT,
     EventKind.RESULT,
 )

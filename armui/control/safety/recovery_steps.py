@@ -268,8 +268,8 @@ class StepKind(enum.Enum):
     )
     CELL_HOLDING = StepText(
         "cell_holding",
-        "Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are "
-        "there; if the hand is empty, let go under Cell first.",
+        "Last used here: the cell “{name}”, the gripper holding “{held}”. Confirm both if they are "
+        "there; if the gripper is empty, let go under Cell first.",
     )
     CELL_UNREADABLE = StepText(
         "cell_unreadable",

@@ -75,7 +75,7 @@ FRAME_UNKNOWN = FindingKind(
 )
 HELD_UNKNOWN = FindingKind(
     "held_unknown",
-    "From here on the hand holds “{name}”, which the cell does not have: its size is unknown. "
+    "From here on the gripper holds “{name}”, which the cell does not have: its size is unknown. "
     "Choose the cell that has it, or add it under Cell, Held.",
     Severity.ERROR,
 )

@@ -99,7 +99,7 @@ _ONE_PRESS: Final = (
     ("motion.home", "Ctrl+Shift+H", Text("MotionPanel", "Home")),
     ("motion.load", "Ctrl+L", Text("MotionPanel", "Take current")),
     ("motion.send", "Ctrl+Return", Text("MotionPanel", "Send")),
-    ("light.confirm", "Ctrl+Return", Text("LightPanel", "Confirm")),
+    ("light.confirm", "Ctrl+Return", Text("LightPanel", "Send colour")),
     ("gripper.send", "Ctrl+Return", Text("GripperPanel", "Send")),
     ("parameters.save", "Ctrl+Return", Text("ParameterButtons", "Save")),
     ("parameters.cancel", "Esc", Text("ParameterButtons", "Cancel")),

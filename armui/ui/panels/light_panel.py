@@ -224,7 +224,7 @@ class LightPanel(Panel):
         title=Text("LightPanel", "Colour of the lamps"),
     )
     confirm = Act(
-        "Confirm",
+        "Send colour",
         named="light_confirm_button",
         does=Lights.set_light,
         tip="Sends the colour to the lamps; nothing moves.",
@@ -424,7 +424,7 @@ class LightPanel(Panel):
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))
         self._effect_label.setText(self.tr("Effect"))
-        describe(self._effect, self.tr("Effect"), self.tr("The colour that Confirm sends"))
+        describe(self._effect, self.tr("Effect"), self.tr("The colour that Send colour sends"))
         self._note.setText(
             self.tr(
                 "Works on joints that have a lamp board.\n"

@@ -36,8 +36,8 @@ class LinkagePanel(Panel):
     """The role to be set, the identifiers in use, and the way back from a teaching input."""
 
     commands = (
-        Command("linkage.input", Text("Action", "Master arm (teaching input arm)"), risky=True),
-        Command("linkage.output", Text("Action", "Slave arm (motion output arm)"), risky=True),
+        Command("linkage.input", Text("Action", "Leader arm (teaching input)"), risky=True),
+        Command("linkage.output", Text("Action", "Follower arm (motion output)"), risky=True),
     )
     back = Act(
         "Back to a motion output arm without offsets",
@@ -45,13 +45,13 @@ class LinkagePanel(Panel):
         does=LinkageControl.set,
     )
     confirm = Act(
-        "Confirm",
+        "Set linkage…",
         named="linkage_confirm_button",
         does=LinkageControl.set,
         tip="Says what will change, and asks first.",
         whose=True,
         key="linkage.confirm",
-        title=Text("LinkagePanel", "Confirm"),
+        title=Text("LinkagePanel", "Set linkage…"),
         least_height_px=38,
     )
 
@@ -133,7 +133,7 @@ class LinkagePanel(Panel):
         self._ask_to_hold(
             self.tr("Set the linkage"),
             f"{what}\n{rest}",
-            self.tr("Confirm"),
+            self.tr("Set linkage"),
             partial(self._set, *chosen),
             still=lambda: self._chosen() == chosen,
         )
@@ -206,8 +206,8 @@ class LinkagePanel(Panel):
         self._title.setText(self.tr("Linkage control"))
         self._role_label.setText(self.tr("Linkage setting"))
         for role, text in (
-            (LinkageRole.TEACHING_INPUT, self.tr("Master arm (teaching input arm)")),
-            (LinkageRole.MOTION_OUTPUT, self.tr("Slave arm (motion output arm)")),
+            (LinkageRole.TEACHING_INPUT, self.tr("Leader arm (teaching input)")),
+            (LinkageRole.MOTION_OUTPUT, self.tr("Follower arm (motion output)")),
         ):
             caption(self._role_buttons[role], text)
         for name, text in (

@@ -149,7 +149,7 @@ class TeachingExitSteps(QFrame):
     def retranslate_ui(self) -> None:
         """Set its texts in the operator's language."""
         self._title.setText(
-            self.tr("To leave drag teaching, take the steps in the line at the top:")
+            self.tr("To leave drag teaching, take the steps in the line above the panels:")
         )
         self._mark()
 

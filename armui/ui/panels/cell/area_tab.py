@@ -39,7 +39,9 @@ class AreaTab(NamedTab):
     commands = (
         Command("cell.area_zone", Text("AreaTab", "Planes and boxes of the work area")),
         change_command("cell.area_switch", Text("AreaTab", "Switch a plane or box")),
-        change_command("cell.area_stops", Text("AreaTab", "Stop who else enters the work area")),
+        change_command(
+            "cell.area_stops", Text("AreaTab", "Stop when others move it into the area")
+        ),
     )
     changes = NamedTab.changes_of(
         "area",

@@ -56,7 +56,7 @@ _MOST_SHOWN: Final = 14
 """The most differences that a question names."""
 
 _LABELS: Final = {
-    "confirm": Text("CellPanel", "Confirm"),
+    "confirm": Text("CellPanel", "Confirm cell"),
     "new": Text("CellPanel", "New"),
     "rename": Text("CellPanel", "Rename"),
     "import": Text("CellPanel", "Import…"),
@@ -79,7 +79,7 @@ _USES: Final = Texts("CellPanel") | {
     "confirm": "The cell shown is that of the arm in front of you; it takes effect.",
     "new": "Makes an empty cell; a tool typed before becomes its first.",
     "rename": "Gives the cell in force and its file the name that is typed.",
-    "import": "Reads a cell from a file; says what is different before it is taken over.",
+    "import": "Reads a cell from a file; says what is different before it takes effect.",
     "export": "Writes the cell to a file of its own.",
     "delete": "Asks first, then deletes the cell and its file.",
 }
@@ -383,9 +383,9 @@ class CellPanel(Panel):
         confirm(
             self.window(),
             self._controller,
-            title=self.tr("Take over the cell “{name}”").format(name=cell.name),
+            title=self.tr("Import the cell “{name}”").format(name=cell.name),
             text="\n".join((head, *lines)),
-            action_label=self.tr("Take over"),
+            action_label=self.tr("Import"),
             on_confirmed=lambda: self._take_over(cell),
             still=lambda: cells.cells.get(cell.name) == same,
         )

@@ -207,7 +207,7 @@ class HeldTab(NamedTab):
         self._size_label.setText(self.tr("Ø X, Y; length Z") if is_rod else self.tr("Edges"))
         held = self._cell.held_object
         mass = fmt.number(0.0 if held is None else held.mass_kg, 2)
-        text = self.tr("In the hand: {mass} kg. The arm carries {most} kg at most.")
+        text = self.tr("In the gripper: {mass} kg. The arm carries {most} kg at most.")
         self._payload.setText(text.format(mass=mass, most=fmt.number(PAYLOAD_KG, 1)))
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
@@ -216,7 +216,7 @@ class HeldTab(NamedTab):
             return self.tr("Press Apply to put the new figures in force.")
         if held:
             return self.tr(
-                "The hand holds “{name}”: it counts in every check until Let go."
+                "The gripper holds “{name}”: it counts in every check until Let go."
             ).format(name=held)
         if new:
             return self.tr("Press Add. It counts as soon as it is marked as held.")

@@ -74,7 +74,7 @@ class MountingCard(HasActs, QFrame):
     wanted = Signal()
 
     send = Act(
-        "Confirm",
+        "Set mounting…",
         named="mounting_confirm_button",
         does=MountingControl.tell,
         tip="Tells the arm how it is mounted. Asks first.",
@@ -240,13 +240,13 @@ class EndLoadPanel(Panel):
     )
 
     send = Act(
-        "Confirm",
+        "Set load",
         named="load_confirm_button",
         does=EndReports.set_load,
         tip="Tells the arm its load, so that it compensates for the weight.",
         whose=True,
         key="end_load.confirm",
-        title=Text("EndLoadPanel", "Confirm"),
+        title=Text("EndLoadPanel", "Set load"),
     )
     switch = Act(
         "Switch on",

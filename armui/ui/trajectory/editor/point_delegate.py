@@ -153,7 +153,7 @@ class GripperEditor(_Row):
             self.kind.setItemText(place, text)
         for place, text in enumerate((self.tr("Holds as before"), self.tr("Holds nothing"))):
             self.holds.setItemText(place, text)
-        self.holds.setToolTip(self.tr("What the hand holds from this point on"))
+        self.holds.setToolTip(self.tr("What the gripper holds from this point on"))
 
     def _on_kind(self, kind: int) -> None:
         place, force = self._FIRST[kind]

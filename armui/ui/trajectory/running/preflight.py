@@ -47,7 +47,7 @@ MOVED_SINCE_CHECK = Reason(
 )
 FINDINGS_AGAINST = Reason(
     "findings_against",
-    "Not run: the check has found errors ({count}). Correct what is listed, then send again.",
+    "Not run: the check has found errors ({count}). Correct what is listed, then press Run again.",
 )
 
 

@@ -553,7 +553,7 @@ class RunBar(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._send.setText(self.tr("Run"))
-        self._call_off.setText(self.tr("Call off"))
+        self._call_off.setText(self.tr("Cancel"))
         for place, text in enumerate((self.tr("Once"), self.tr("Times"), self.tr("Loop"))):
             self._cycles.setItemText(place, text)
         self._cycles.setAccessibleName(self.tr("Number of runs"))

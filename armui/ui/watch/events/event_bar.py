@@ -256,7 +256,7 @@ class EventBar(HasActs, Translated, QWidget):
         for each in Asker:
             self.askers.addItem(asker(each), each)
         self.askers.setCurrentIndex(max(0, who))
-        self.askers.setAccessibleName(self.tr("Who asked, or says it"))
+        self.askers.setAccessibleName(self.tr("Who asked for it, or reports it"))
         self.show_acts()
         self._fit_follow()
         self._show_kinds()
