@@ -21,16 +21,33 @@ class Reason(Sentence):
 
 
 @dataclass(frozen=True, slots=True)
+class Contact:
+    """Where an arm would touch itself, or come too near to something.
+
+    Attributes:
+        joints_deg: The six angles there.
+        links: The links that touch, 0 for the base, 1–6 for what the joint of that number turns.
+        place_mm: The place in the base frame, midway between what touches.
+    """
+
+    joints_deg: tuple[float, ...]
+    links: tuple[int, ...]
+    place_mm: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Refusal:
     """A reason against an action, with its figures.
 
     Attributes:
         reason: The reason.
         params: The figures the sentence names, in the units the sentence shows.
+        contact: Where the arm would first touch, if that is the reason.
     """
 
     reason: Reason
     params: Mapping[str, float | int | str] = field(default_factory=dict)
+    contact: Contact | None = field(default=None, compare=False)
 
     @property
     def code(self) -> str:

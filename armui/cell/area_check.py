@@ -16,9 +16,9 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.models import STANDING, Rising, model_data
-from armui.arm.refusal import Reason
+from armui.arm.refusal import Contact, Reason
 from armui.cell.enclosure import Body, Capsule, body_of
-from armui.cell.first_place import PlaceSearch
+from armui.cell.first_place import PlaceSearch, place_between
 from armui.cell.held_shape import held_shape
 from armui.cell.moved_capsules import MovedCapsules
 from armui.cell.nearness import Obstacles
@@ -179,6 +179,15 @@ class AreaCheck:
         parts = [self._moved.parts[capsule] for capsule in nearest]
         entries = map(AreaEntry, self._area.zones, parts, gaps)
         return tuple(sorted(entries, key=lambda entry: entry.gap_mm))
+
+    def contact(self, joints_deg: Sequence[float], zone: int) -> Contact:
+        """Return where an arm at six angles is nearest to a plane or box, by its index."""
+        capsule = int(self._nearest([joints_deg])[1][0, zone])
+        ends = self._moved.all_ends(self._moved.frames(np.array([joints_deg], dtype=float)))
+        radius_mm = float(self._moved.radii_mm[capsule])
+        place = place_between(self._obstacles, ends[0, capsule], radius_mm, zone)
+        x, y, z = place.tolist()
+        return Contact(tuple(joints_deg), (self._moved.links[capsule],), (x, y, z))
 
     def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:
         """Return the names of what an arm that sinks from six angles may come to.

@@ -32,6 +32,7 @@ _BULGE_MM: Final = 25.0
 """The first parts are as long as bulges of about this allow."""
 _MOST_AT_ONCE: Final = 200_000
 _TINY: Final = 1e-300
+_PLACES: Final = 101
 _PLAIN: Final = 11
 """So many figures without a spread."""
 
@@ -180,6 +181,25 @@ class _Way:
             widest_all[long] = np.maximum(widest_all[long], widest)
         turns = np.radians(np.abs(last - first))
         return _Parts(begins, ends, turns, strays, spreads, widest_all)
+
+
+def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: int) -> Array:
+    """Return (3,) the place midway between a capsule and an obstacle, or within both.
+
+    Args:
+        obstacles: The obstacles.
+        line: (2, 3) the ends of the capsule's line, in mm.
+        radius_mm: Its radius.
+        obstacle: The index of the obstacle.
+    """
+    places = np.linspace(line[0], line[1], _PLACES)
+    which = np.full(_PLACES, obstacle)
+    supports = obstacles.supports(np.repeat(places[:, None], 2, axis=1), which)
+    # of a line beside a plane or an edge the middle
+    nearest = np.flatnonzero(supports[:, 0] <= supports[:, 0].min() + _ROUNDING_MM)
+    at = nearest[len(nearest) // 2]
+    place: Array = places[at] - (supports[at, 0] + radius_mm) / 2.0 * supports[at, 1:4]
+    return place
 
 
 class PlaceSearch:

@@ -44,6 +44,8 @@ class MovedCapsules:
         self._frame_of = np.array(rows, dtype=np.int64) + np.array(links, dtype=np.int64)
         self.parts = tuple(each.part for each in capsules)
         """The part of each of k."""
+        self.links = links
+        """The link that each is fixed to."""
         self.radii_mm = np.array([each.radius_mm for each in capsules])
         """(k,) the radii."""
         self.first_joints = np.minimum(np.array(bases, dtype=np.int64), JOINT_COUNT - 1)

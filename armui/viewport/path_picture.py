@@ -24,12 +24,16 @@ class FindingMark:
         is_error: true if it forbids a run; else it is a warning.
         row: the row it concerns, from 0; None: the whole.
         text: for the operator.
+        joints_deg: the six joint angles there, as on the bus, if known.
+        touching: the links that touch there: 0 for the base, 1–6 for what the joint turns.
     """
 
     place_mm: tuple[float, float, float]
     is_error: bool
     row: int | None
     text: str
+    joints_deg: tuple[float, ...] | None = None
+    touching: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,12 +81,14 @@ class Preview:
         path: the tool's path, or None.
         selected_row: the row whose mark stands out, or None.
         ghost_deg: the six joint angles, as on the bus, of a second, transparent arm.
+        finding: the finding at whose place that arm stands, so that its links stand out.
         current_row: the row to which the arm moves while the trajectory runs, or None.
     """
 
     path: PathPicture | None = None
     selected_row: int | None = None
     ghost_deg: tuple[float, ...] | None = None
+    finding: FindingMark | None = None
     current_row: int | None = None
 
 

@@ -9,13 +9,13 @@ Our motions only tighten the mark, so that many small steps lead no further than
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Contact, Refusal
 from armui.ways.way import Array, Way
 
 Flags = npt.NDArray[np.bool_]
@@ -98,6 +98,10 @@ class Rule(Protocol):
         """
         ...
 
+    def contact(self, breach: Excess) -> Contact | None:
+        """Return where the arm touches at a breach; ``None`` if nothing does."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
@@ -127,7 +131,7 @@ def judge(way: Way, rules: Iterable[Rule], marks: Marks) -> Judgement:
     for rule in rules:
         found = _judge(way, rule, after)
         if found is not None:
-            refusal = rule.refuse(found[0], found_outside=found[1])
+            refusal = _refuse(rule, *found)
             return Judgement(refusal, marks, way.begin_deg, way.end_deg)
     return Judgement(None, after, way.begin_deg, way.end_deg)
 
@@ -193,8 +197,12 @@ def judge_end(way: Way, rules: Iterable[Rule], marks: Marks) -> Refusal | None:
         if (over > 0.0).any():
             bound = int(np.argmax(over))
             breach = Excess(bound, float(end[bound]), way.end_deg)
-            return rule.refuse(breach, found_outside=False)
+            return _refuse(rule, breach)
     return None
+
+
+def _refuse(rule: Rule, breach: Excess, found_outside: bool = False) -> Refusal:
+    return replace(rule.refuse(breach, found_outside=found_outside), contact=rule.contact(breach))
 
 
 def _marks_of(rule: Rule, begin: Array, marks: Marks) -> Array:

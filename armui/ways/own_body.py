@@ -16,9 +16,10 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.held_shape import HeldShape
+from armui.arm.refusal import Contact
 from armui.arm.tool_capsule import ToolCapsule
 from armui.cell.enclosure import Capsule
-from armui.cell.first_place import PlaceSearch
+from armui.cell.first_place import PlaceSearch, place_between
 from armui.cell.moved_capsules import MovedCapsules
 from armui.kinematics.forward import Links, link_frames, links
 from armui.kinematics.geometry import JOINT_COUNT, Geometry, Wrist
@@ -112,7 +113,7 @@ class OwnBody:
         rods = list(dict.fromkeys(fixed for fixed, _ in pairs))
         # a capsule that is seen from two links is moved in two ways
         seen = list(dict.fromkeys((moving, fixed.link) for fixed, moving in pairs))
-        self._rods = _Rods(rods)
+        self._geometry, self._rods = geometry, _Rods(rods)
         self._moved = MovedCapsules(
             geometry, [each for each, _ in seen], [link for _, link in seen]
         )
@@ -143,6 +144,23 @@ class OwnBody:
         begins = np.flatnonzero(np.diff(self._pair_of, prepend=-1))
         nearest: Array = np.minimum.reduceat(gaps, begins, axis=1)
         return nearest
+
+    def contact(self, joints_deg: Sequence[float], pair: int) -> Contact:
+        """Return where two parts, by the index of their pair, are nearest at six angles."""
+        pose, those = np.array([joints_deg], dtype=float), np.flatnonzero(self._pair_of == pair)
+        capsules, rods = self._capsules[those], self._obstacles[those]
+        ends = self._moved.ends(self._moved.frames(pose), np.zeros_like(those), capsules)
+        gaps = self._rods.supports(ends, rods)[:, 0] - self._moved.radii_mm[capsules]
+        nearest = int(gaps.argmin())
+        capsule, rod = int(capsules[nearest]), int(rods[nearest])
+        frame = link_frames(self._geometry, pose)[0, self._rods.links[rod]]
+        radius_mm = float(self._moved.radii_mm[capsule])
+        place = place_between(self._rods, ends[nearest], radius_mm, rod)
+        x, y, z = (frame[:3, :3] @ place + frame[:3, 3]).tolist()
+        moving = self._moved.links[capsule]
+        if self._moved.parts[capsule] == "gripper":  # its fingers lie in the axis of joint 6
+            moving = JOINT_COUNT
+        return Contact(tuple(joints_deg), (self._rods.links[rod], moving), (x, y, z))
 
     def breach(
         self,
@@ -185,6 +203,7 @@ class _Rods:
 
     def __init__(self, capsules: Sequence[Capsule]) -> None:
         self.parts = tuple(each.part for each in capsules)
+        self.links = [each.link for each in capsules]
         self._starts = np.array([each.start_mm for each in capsules])
         self._ends = np.array([each.end_mm for each in capsules])
         self._radii_mm = np.array([each.radius_mm for each in capsules])

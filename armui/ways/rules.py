@@ -25,7 +25,7 @@ from armui.arm.limits import (
     outside_list,
 )
 from armui.arm.models import ArmModel
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.refusal import Contact, Reason, Refusal
 from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT, AreaCheck
 from armui.cell.enclosure import Body, Capsule
 from armui.cell.work_area import Area, AreaPlane
@@ -103,6 +103,9 @@ class LimitsRule:
         """Return the poses of the way."""
         return way.joints_deg
 
+    def contact(self, breach: Excess) -> None:
+        """Return ``None``: a joint at its limit touches nothing."""
+
     def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the joint, its angle and its limits as a reason; of joints outside, all."""
         place = breach.bound // 2
@@ -143,6 +146,10 @@ class AreaRule:
     def finely(self, way: Way) -> Array:
         """Return poses between which no part moves by more than the noise."""
         return self._check.finely(way.joints_deg)
+
+    def contact(self, breach: Excess) -> Contact:
+        """Return where the arm is too near to the plane or box."""
+        return self._check.contact(breach.joints_deg, breach.bound)
 
     def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the part and the plane or box as a reason."""
@@ -190,6 +197,10 @@ class FloorRule:
     def finely(self, way: Way) -> Array:
         """Return poses between which nothing moves by more than the noise."""
         return self._check.finely(way.joints_deg)
+
+    def contact(self, breach: Excess) -> Contact:
+        """Return where what is lowest comes to the height."""
+        return self._check.contact(breach.joints_deg, breach.bound)
 
     def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:  # noqa: ARG002 - one sentence
         """Return the height as a reason."""
@@ -239,6 +250,10 @@ class OwnBodyRule:
             )
         ]
         return np.vstack((way.joints_deg[:1], *parts))
+
+    def contact(self, breach: Excess) -> Contact:
+        """Return where the two parts touch."""
+        return self._body.contact(breach.joints_deg, breach.bound)
 
     def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:
         """Return the two parts as a reason."""

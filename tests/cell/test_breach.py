@@ -8,6 +8,7 @@ from armui.cell.area_check import AreaCheck, carried_body
 from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject
 from armui.cell.work_area import AreaBox, AreaPlane
+from armui.kinematics.forward import links
 from armui.kinematics.poses import pose_to_matrix
 from armui.protocol.generation import PiperModel
 from tests.cell.areas import TABLE, area_of, check_of, wall
@@ -200,3 +201,17 @@ def test_gaps_are_those_of_the_nearest_part():
 def test_gaps_of_no_pose_and_of_no_zone():
     assert check_of(TABLE).gaps(np.empty((0, 6))).shape == (0, 1)
     assert check_of().gaps([BENT]).shape == (1, 0)
+
+
+def test_a_contact_is_between_the_link_and_what_it_comes_to():
+    pose = (0.0, 90.0, -60.0, 0.0, 30.0, 0.0)
+    arm = links(model_data(PiperModel.PIPER).geometry, np.array([pose]))
+    before, _, high = (arm.flange[0] + 150.0 * arm.hand[0]).tolist()
+    post = AreaBox("post", (before + 50.0, 0.0, high, 0.0, 0.0, 0.0), (20.0,) * 3)
+    check = check_of(wall(before), post)
+    for zone, gap_mm in enumerate(check.gaps(pose)[0].tolist()):
+        contact = check.contact(pose, zone)
+        assert (contact.joints_deg, contact.links) == (pose, (6,))
+        surface = before + 40.0 if zone else before
+        assert contact.place_mm[0] == pytest.approx(surface - gap_mm / 2.0, abs=3.0)
+        assert np.abs(np.subtract(contact.place_mm[1:], (0.0, high))).max() < 60.0

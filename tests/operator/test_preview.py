@@ -375,3 +375,9 @@ def test_a_finding_that_is_pressed_shows_where_the_arm_would_touch(app_driver, o
     assert at.shown.ghost_deg == pytest.approx(finding.joints_deg), "it stays"
     mark = next(each for each in at.shown.path.findings if each.is_error)
     assert mark.text == item.text().partition(": ")[2]
+    assert at.shown.finding == mark, "the links that touch stand out"
+    assert set(mark.touching) == {0, 6}
+    assert mark.place_mm == finding.contact.place_mm
+    flange = Kinematics(PIPER).matrix(finding.joints_deg)
+    reach_mm = np.linalg.norm(np.subtract(mark.place_mm, flange[:3, 3]))
+    assert reach_mm < 160.0, "at the gripper"

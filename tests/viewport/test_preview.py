@@ -3,11 +3,12 @@
 from typing import Any
 
 import numpy as np
+import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from armui.system.paths import URDF
 from armui.viewport.palette import DARK, LIGHT, rgb
-from armui.viewport.path_picture import NOTHING, PathPicture, Preview
+from armui.viewport.path_picture import NOTHING, FindingMark, PathPicture, Preview
 from armui.viewport.process.scene import Scene
 from tests.viewport.pinhole import HEIGHT, WIDTH, project
 
@@ -97,6 +98,27 @@ def test_the_ghost_shows_only_what_of_it_stands_elsewhere(scene):
     scene.set_joints((10.0, *REST[1:]), 0.0)  # the arm has left all but its base
     assert {"link1", "link2", "link5"} <= seen()
     assert "base_link" not in seen()
+
+
+@pytest.mark.parametrize("is_error", [True, False])
+def test_the_links_that_touch_have_the_colour_of_their_finding(scene, is_error):
+    color = LIGHT.fault if is_error else LIGHT.warning
+
+    def tinted():
+        shown = picture(scene)
+        far = np.abs(shown - np.array(rgb(color)) * 255.0).max(axis=2)
+        return int((far < 70.0).sum())
+
+    scene.set_joints(REST, 0.0)
+    scene.set_preview(Preview(ghost_deg=RAISED))
+    before = tinted()
+    finding = FindingMark((0.0, 0.0, 0.0), is_error, None, "", RAISED, (0, 2))
+    scene.set_preview(Preview(ghost_deg=RAISED, finding=finding))
+    assert tinted() > before + 500
+    seen = {link for link, actor, _ in scene._ghost._parts if actor.GetVisibility()}
+    assert "base_link" in seen, "where the arm's own base stands, too"
+    scene.set_preview(Preview(ghost_deg=RAISED))
+    assert tinted() == before
 
 
 def test_a_ghost_is_no_arm_to_pick(scene):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armui.arm.refusal import Reason
+from armui.arm.refusal import Contact, Reason
 from armui.ways.law import Excess, Marks, judge, judge_end
 from armui.ways.way import Way, rest_of, straight_way
 
@@ -43,6 +43,9 @@ class Wall:
 
     def refuse(self, breach, *, found_outside):
         return TOO_FAR(value=breach.outside, found=found_outside)
+
+    def contact(self, breach):
+        return Contact(breach.joints_deg, (1,), (0.0, 0.0, 0.0))
 
 
 def at(angle):

@@ -131,3 +131,36 @@ def test_what_is_no_figure_is_no_way(pose):
     body = body_of(PiperModel.PIPER)
     with pytest.raises(ValueError, match="deg"):
         body.breach([pose, pose], np.zeros(len(body.pairs)))
+
+
+@pytest.mark.parametrize("carried", [{}, {"tool": PEN}, {"held": held_shape(PARCEL)}])
+def test_a_contact_is_between_the_two_parts_that_touch(carried):
+    random = np.random.default_rng(7)
+    body, data = body_of(PiperModel.PIPER, **carried), model_data(PiperModel.PIPER)
+    poses = random.uniform(LOW, HIGH, (2000, 6))
+    gaps, arm, gripper = body.gaps(poses), links(data.geometry, poses), data.gripper
+    met = (
+        *_pairs(data.geometry, arm, gripper.reach_mm, gripper.turned_deg),
+        *_with(data.geometry, arm, _carried(arm, carried.get("tool"), carried.get("held"))),
+    )
+    numbers = {"base": 0, "upper arm": 2, "forearm": 3, "gripper": 6, "tool": 6, "held object": 6}
+    told = 0
+    for pose, pair in zip(*np.nonzero(gaps < -1.0), strict=True):
+        contact = body.contact(poses[pose], int(pair))
+        place = np.array([contact.place_mm])
+        away: dict[bool, list[float]] = {False: [], True: []}
+        for fixed, moving in met:
+            if f"{fixed.part}/{moving.part}" == body.pairs[pair]:
+                for is_moving, each in ((False, fixed), (True, moving)):
+                    start, end = (
+                        np.broadcast_to(side, (len(poses), 3))[[pose]]
+                        for side in (each.start, each.end)
+                    )
+                    line = segment_distances(place, place, start, end)[0]
+                    away[is_moving].append(line - each.radius_mm)
+        assert max(map(min, away.values())) < 1.0, "within both"
+        names = body.pairs[pair].split("/")
+        assert contact.links[0] == numbers[names[0]]
+        assert contact.links[1] == numbers.get(names[1], 5)
+        told += 1
+    assert told > 50

@@ -427,10 +427,13 @@ def _broken(
             if rule.name == LIMITS and leg.nearest(path, breach.joints_deg) < leg.end:
                 kind = TARGET_BEYOND_LIMIT if _is_recorded(path) else PATH_BEYOND_LIMIT
             figures = rule.refuse(breach, found_outside=False).params
-            yield _on_leg(path, leg, breach, kind(**figures))
+            found = replace(kind(**figures), contact=rule.contact(breach))
+            yield _on_leg(path, leg, breach, found)
     if request.lowest_mm is None or request.lowest_mm < FLOOR_MM:
-        for leg, breach in _broken_legs(path, legs, ways, FloorRule(arm, FLOOR_MM)):
-            yield _on_leg(path, leg, breach, BELOW_FLOOR(value=round(breach.outside, 1)))
+        floor = FloorRule(arm, FLOOR_MM)
+        for leg, breach in _broken_legs(path, legs, ways, floor):
+            found = BELOW_FLOOR(value=round(breach.outside, 1))
+            yield _on_leg(path, leg, breach, replace(found, contact=floor.contact(breach)))
 
 
 def _broken_legs(

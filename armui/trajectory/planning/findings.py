@@ -5,9 +5,12 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from armui.system.sentence import Sentence
+
+if TYPE_CHECKING:
+    from armui.arm.refusal import Contact
 
 
 class Severity(enum.Enum):
@@ -57,6 +60,7 @@ class Finding:
         approach: True if the way from the arm's present pose is at fault, and not the point in
             the row.
         cycle: The first cycle in which it happens.
+        contact: Where the arm touches, if that is what was found.
     """
 
     kind: FindingKind
@@ -66,6 +70,7 @@ class Finding:
     place_mm: tuple[float, ...] | None = None
     approach: bool = False
     cycle: int = 1
+    contact: Contact | None = None
 
     @property
     def code(self) -> str:

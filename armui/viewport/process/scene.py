@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
     from vtkmodules.vtkRenderingCore import vtkRenderer
 
-    from armui.viewport.path_picture import Trail
+    from armui.viewport.path_picture import FindingMark, Trail
     from armui.viewport.process.robot import Matrix, Rgb, Robot
     from armui.viewport.view_state import ViewState
 
@@ -57,6 +57,7 @@ _PLAIN: Rgb = (0.80, 0.82, 0.85)
 _FADED_SHARE = 0.6
 _HIGHLIGHT_SHARE = 0.55
 _GHOST_OPACITY = 0.3
+_TOUCHING_OPACITY = 0.75
 _SAME = 1e-3
 """Poses that differ by less, in metres and in the elements of their rotation, are equal."""
 _MM = 0.001
@@ -161,6 +162,7 @@ class RobotActors:
         self._matrices = {part.link: vtkMatrix4x4() for part in robot.parts}
         self._poses: dict[str, Matrix] = {}
         self._parts: list[tuple[str, vtkActor, Rgb]] = []
+        self._touching: frozenset[int] = frozenset()
         for part in robot.parts:
             actor = actor_of(smooth(part.surface))
             # One matrix a link, shared by its actors: a pose is set once and moves them all.
@@ -189,11 +191,11 @@ class RobotActors:
             matrix.DeepCopy(flat(poses[link]))
 
     def leave_out_what_stands_on(self, other: RobotActors) -> None:
-        """Hide the links that coincide with those of another robot: they would flicker."""
+        """Hide the links that coincide with those of another robot, but for those that touch."""
         for link, actor, _ in self._parts:
             own, its = self._poses.get(link), other._poses.get(link)
             is_same = own is not None and its is not None and np.abs(own - its).max() < _SAME
-            actor.SetVisibility(not is_same)
+            actor.SetVisibility(not is_same or self._touches(link))
 
     def paint(self, palette: ScenePalette, *, fresh: bool, highlighted_joint: int | None) -> None:
         """Colour the robot.
@@ -219,15 +221,27 @@ class RobotActors:
             look.SetDiffuse(diffuse)
             look.SetSpecular(specular)
 
-    def make_ghost(self, palette: ScenePalette) -> None:
-        """Make the robot transparent, in the accent colour: no real arm is there."""
-        for _, actor, _ in self._parts:
+    def make_ghost(self, palette: ScenePalette, finding: FindingMark | None) -> None:
+        """Make the robot transparent, in the accent colour: no real arm is there.
+
+        Args:
+            palette: the theme.
+            finding: the finding whose links have its own colour instead, as in `Preview`.
+        """
+        self._touching = frozenset(() if finding is None else finding.touching)
+        is_error = finding is not None and finding.is_error
+        of_finding = palette.fault if is_error else palette.warning
+        for link, actor, _ in self._parts:
             actor.PickableOff()
             look = actor.GetProperty()
-            look.SetColor(*rgb(palette.accent))
-            look.SetOpacity(_GHOST_OPACITY)
+            touches = self._touches(link)
+            look.SetColor(*rgb(of_finding if touches else palette.accent))
+            look.SetOpacity(_TOUCHING_OPACITY if touches else _GHOST_OPACITY)
             look.BackfaceCullingOff()
             look.SetSpecular(0.0)
+
+    def _touches(self, link: str) -> bool:
+        return self._joint_numbers.get(link, 0) in self._touching
 
     def joint_of(self, picked: object) -> int | None:
         """Return the number (1–6) of the joint that moves an actor, or None for base and others."""
@@ -410,7 +424,7 @@ class Scene:
             self._preview_actors.select(preview.selected_row)
         if preview.current_row != before.current_row or preview.path is not before.path:
             self._preview_actors.light(preview.current_row)
-        if preview.ghost_deg != before.ghost_deg:
+        if (preview.ghost_deg, preview.finding) != (before.ghost_deg, before.finding):
             self._show_ghost(preview.ghost_deg)
 
     def set_palette(self, palette: ScenePalette) -> None:
@@ -508,9 +522,9 @@ class Scene:
             return
         if self._ghost is None:
             self._ghost = RobotActors(self._description)
-            self._ghost.make_ghost(self._palette)
             for actor in self._ghost.actors:
                 self._canvas.renderer.AddActor(actor)
+        self._ghost.make_ghost(self._palette, self._preview.finding)
         self._ghost.pose(angles_deg, 0.0)
         if self._robot is not None:
             self._ghost.leave_out_what_stands_on(self._robot)

@@ -163,23 +163,24 @@ class PathPreview(QObject):
             self._scrubbed = False
         self.row_shown.emit()
 
-    def show_pose(self, angles_deg: tuple[float, ...]) -> None:
-        """Have the ghost stand at a place of the path that is shown, until another is chosen."""
-        if self._path is not None:
+    def show_finding(self, finding: FindingMark) -> None:
+        """Have the ghost stand where a finding is, until another place is chosen."""
+        if self._path is not None and finding.joints_deg is not None:
             self._scrubbed, self._target_deg = True, None
-            self._set(replace(self._shown, ghost_deg=angles_deg))
+            self._set(replace(self._shown, ghost_deg=finding.joints_deg, finding=finding))
 
     def light_row(self, row: int | None) -> None:
         """Highlight the point to which the arm moves; the ghost is hidden meanwhile."""
         if self._path is not None and row != self._shown.current_row:
             ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
-            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg))
+            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg, finding=None))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
             self._scrubbed = True
             self._target_deg = None
-            self._set(replace(self._shown, ghost_deg=tuple(self._path.at(time_s))))
+            ghost_deg = tuple(self._path.at(time_s))
+            self._set(replace(self._shown, ghost_deg=ghost_deg, finding=None))
 
     def _on_closed(self) -> None:
         self.show(None)
@@ -205,5 +206,5 @@ class PathPreview(QObject):
         if not self._is_seen and preview.current_row is None:
             preview = NOTHING
         if self._target_deg is not None:
-            preview = replace(preview, ghost_deg=self._target_deg)
+            preview = replace(preview, ghost_deg=self._target_deg, finding=None)
         self._view.set_preview(preview)

@@ -13,7 +13,6 @@ from PySide6.QtCore import QCoreApplication, QEvent, QModelIndex, QObject
 from armui.arm.refusal import Refusal
 from armui.kinematics.forward import flange_transforms
 from armui.kinematics.poses import pose_to_matrix
-from armui.trajectory.planning.check import BELOW_FLOOR
 from armui.trajectory.planning.convert import joints_above, to_joints
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.planning.user_frames import (
@@ -65,23 +64,31 @@ def tool_points(flanges: Array, tool: Sequence[float]) -> Array:
 
 def finding_marks(checked: Preflight, tool: Sequence[float]) -> tuple[FindingMark, ...]:
     """Return the findings with a place, errors first."""
-    marks = []
-    for found in checked.findings[:_MOST]:
-        place_mm = _place_mm(checked, found, tool)
-        if place_mm is not None:
-            error = found.severity is Severity.ERROR
-            marks.append(FindingMark(place_mm, error, found.row, finding_text(found)))
-    return tuple(marks)
+    marks = (finding_mark(checked, found, tool) for found in checked.findings[:_MOST])
+    return tuple(mark for mark in marks if mark is not None)
+
+
+def finding_mark(checked: Preflight, found: Finding, tool: Sequence[float]) -> FindingMark | None:
+    """Return a finding with its place: where the arm touches, else where its tool is."""
+    place_mm = _place_mm(checked, found, tool)
+    if place_mm is None:
+        return None
+    return FindingMark(
+        place_mm,
+        found.severity is Severity.ERROR,
+        found.row,
+        finding_text(found),
+        found.joints_deg,
+        () if found.contact is None else found.contact.links,
+    )
 
 
 def _place_mm(
     checked: Preflight, found: Finding, tool: Sequence[float]
 ) -> tuple[float, float, float] | None:
-    """Return the tool centre point of a finding, and of one about the floor the fingertip."""
     arm, path, content = checked.order.arm, checked.path, checked.content
-    if found.place_mm is not None and found.kind == BELOW_FLOOR:
-        x, y, z = found.place_mm
-        return x, y, z
+    if found.contact is not None:
+        return found.contact.place_mm
     joints_deg: Sequence[float] | None = found.joints_deg
     if joints_deg is None and found.row is not None:
         point = content.points[found.row] if isinstance(content, Trajectory) else None
@@ -326,8 +333,10 @@ class PreviewLink(QObject):
 
     def _on_finding(self, finding: Finding) -> None:
         """Have the ghost stand where a finding is, on the way or at a point."""
-        if finding.joints_deg is not None:
-            self._preview.show_pose(finding.joints_deg)
+        tool = self._controller.cartesian.tool
+        mark = None if self._shown is None else finding_mark(self._shown, finding, tool)
+        if mark is not None:
+            self._preview.show_finding(mark)
 
     # which page is seen -----------------------------------------------------------------------
 
