@@ -185,8 +185,7 @@ class AreaCheck:
         capsule = int(self._nearest([joints_deg])[1][0, zone])
         ends = self._moved.all_ends(self._moved.frames(np.array([joints_deg], dtype=float)))
         radius_mm = float(self._moved.radii_mm[capsule])
-        place = place_between(self._obstacles, ends[0, capsule], radius_mm, zone)
-        x, y, z = place.tolist()
+        x, y, z = place_between(self._obstacles, ends[0, capsule], radius_mm, zone)
         return Contact(tuple(joints_deg), (self._moved.links[capsule],), (x, y, z))
 
     def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:

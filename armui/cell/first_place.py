@@ -183,8 +183,8 @@ class _Way:
         return _Parts(begins, ends, turns, strays, spreads, widest_all)
 
 
-def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: int) -> Array:
-    """Return (3,) the place midway between a capsule and an obstacle, or within both.
+def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: int) -> list[float]:
+    """Return the place midway between a capsule and an obstacle, or within both.
 
     Args:
         obstacles: The obstacles.
@@ -198,7 +198,9 @@ def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: 
     # of a line beside a plane or an edge the middle
     nearest = np.flatnonzero(supports[:, 0] <= supports[:, 0].min() + _ROUNDING_MM)
     at = nearest[len(nearest) // 2]
-    place: Array = places[at] - (supports[at, 0] + radius_mm) / 2.0 * supports[at, 1:4]
+    place: list[float] = (
+        places[at] - (supports[at, 0] + radius_mm) / 2.0 * supports[at, 1:4]
+    ).tolist()
     return place
 
 

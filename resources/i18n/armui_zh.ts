@@ -14633,6 +14633,10 @@ The other program must have ended.</source>
         <translation>目标预览：尚未发送</translation>
     </message>
     <message>
+        <source>The ghost shows where the arm would touch</source>
+        <translation>虚影为机械臂将碰到处的位姿</translation>
+    </message>
+    <message>
         <source>The ghost shows where Move inside brings the arm</source>
         <translation>虚影为“回到限位内”将到达的位姿</translation>
     </message>

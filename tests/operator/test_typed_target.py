@@ -4,12 +4,16 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from armui.arm.refusal import Refusal
+from armui.control.events import Event
 from armui.system.paths import URDF
+from armui.ui import words
 from armui.viewport.palette import LIGHT
 from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import load_robot
 from armui.viewport.strokes import joint_range
 from tests.accepted import accepted
+from tests.cell.areas import gap_mm, put, wall
 from tests.picture_hand import Hand
 
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
@@ -107,6 +111,70 @@ def test_the_ghost_goes_with_the_panel_and_with_the_figure(at):
     assert at.ghost == pytest.approx((-33.0, *OUT[1:]))
     at.app_driver.click("load_button")  # where the arm is: a ghost would be one with it
     assert nothing_is_previewed(at)
+
+
+def finding(at):
+    at.look()
+    return at.view._state.preview.finding
+
+
+@pytest.mark.parametrize("motion", ["typed", "step", "pose"])
+def test_a_refused_motion_shows_where_the_arm_would_touch_until_the_next_press(at, motion):
+    driver, told = at.app_driver, list[Event]()
+    controller = driver.controller
+    controller.noticed.connect(told.append)
+    type_joints(at)
+    driver.click("send_button")
+    driver.run(0.5)
+    let_arrive(at)
+    stands_deg = controller.state.angles_deg()
+    wall_mm = 1000.0 - gap_mm(stands_deg, wall(1000.0)) + 40.0
+    put(controller, wall(wall_mm))
+    if motion == "typed":
+        type_joints(at, (20.0, 100.0, *OUT[2:]))
+        driver.click("send_button")
+    elif motion == "step":
+        controller.motion.jog(2, 40.0)
+    else:
+        driver.click("menu_cartesian")
+        driver.run(0.2)
+        x = controller.cartesian.tool_pose(controller.state)[0]
+        driver.type_into("pose_field_X", f"{x + 80.0:.1f}")
+        driver.click("move_p_button")
+    driver.run(0.3)
+    (refused,) = (each for each in told if each.code == "refused")
+    reason, mark = refused.params["reason"], finding(at)
+    assert isinstance(reason, Refusal)
+    contact = reason.contact
+    assert mark is not None
+    assert contact is not None
+    assert at.ghost == pytest.approx(contact.joints_deg)
+    assert (mark.place_mm, mark.touching) == (contact.place_mm, contact.links)
+    assert mark.text == words.refusal(reason)
+    assert mark in at.view._state.preview.path.findings, "with its sign"
+    left_mm = gap_mm(contact.joints_deg, wall(wall_mm))
+    assert 5.0 < left_mm < 15.0, "about the margin of 10 mm"
+    assert contact.place_mm[0] == pytest.approx(wall_mm - left_mm / 2.0, abs=0.5)
+    assert "would touch" in note(at)
+    driver.run(1.0)
+    assert finding(at) == mark, "it stays"
+    assert controller.state.angles_deg() == pytest.approx(stands_deg, abs=0.1)
+    driver.click("menu_motion")
+    driver.click("home_button")
+    assert finding(at) is None
+    assert at.view._state.preview.path is None
+
+
+def test_the_touching_ghost_goes_with_the_typed_target(at):
+    type_joints(at)
+    put(at.app_driver.controller, wall(300.0))
+    at.app_driver.click("send_button")
+    at.app_driver.run(0.3)
+    assert finding(at) is not None
+    at.app_driver.type_into("target_field_1", "21")
+    assert finding(at) is None
+    assert at.ghost == pytest.approx((21.0, *OUT[1:]))
+    assert note(at) == PREVIEW
 
 
 @pytest.mark.usefixtures("no_motion")

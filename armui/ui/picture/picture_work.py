@@ -15,9 +15,12 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
+from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.run.progress import OVER
 from armui.system.atomic import write_whole
+from armui.telemetry.events import EventKind
+from armui.ui import words
 from armui.ui.dialogs.files import FileExport
 from armui.ui.freshness import is_stale
 from armui.ui.panels.cell.cell_panel import CellPanel
@@ -28,7 +31,7 @@ from armui.ui.picture.picture_note import PictureNote
 from armui.ui.picture.target_drag import CartesianTarget, LedArm, MotionTarget, TargetDrag
 from armui.ui.picture.view_bar import ViewBar
 from armui.viewport.camera import ViewDirection, poses_equal
-from armui.viewport.path_picture import Reach
+from armui.viewport.path_picture import FindingMark, Reach
 from armui.viewport.robot_shape import moved
 from armui.viewport.tool_trail import ToolTrail
 
@@ -38,6 +41,7 @@ if TYPE_CHECKING:
 
     from armui.arm.state import ArmState
     from armui.control.arm_controller import ArmController
+    from armui.control.events import Event
     from armui.control.operating_state import OperatingState
     from armui.setting_fields import Settings
     from armui.settings import SettingsStore
@@ -50,6 +54,7 @@ if TYPE_CHECKING:
 
 _MM_PER_M: Final = 1000.0
 _BETWEEN_S: Final = 0.1
+_PRESSES: Final = frozenset({EventKind.COMMAND, EventKind.LINK})
 """The period of updating a growing trail, which is copied and drawn as a whole."""
 _M_PER_MM: Final = 0.001
 
@@ -235,6 +240,7 @@ class PictureWork(QObject):
         self._trail_s = preferences.settings.picture_trail_s
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.state_changed.connect(self._on_state)
+        controller.noticed.connect(self._on_noticed)
         self._shows_range = False
         self._link: PreviewLink | None = None
         self._targets: dict[QWidget, DragTarget] = {}
@@ -307,6 +313,16 @@ class PictureWork(QObject):
             progress = self._controller.player.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
             self._preview.light_row(progress.index if under_way else None)
+
+    def _on_noticed(self, event: Event) -> None:
+        """Show where a refused motion would first touch, until the next press."""
+        reason = event.params.get("reason")
+        if isinstance(reason, Refusal) and reason.contact is not None:
+            at, text = reason.contact, words.refusal(reason)
+            mark = FindingMark(at.place_mm, True, None, text, at.joints_deg, at.links)
+            self._drag.show_refused(mark)
+        elif event.notice.kind in _PRESSES:
+            self._drag.show_refused(None)
 
     def _on_operating_state(self, _state: OperatingState) -> None:
         if self._reach.isChecked():

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from armui.ui.picture.picture_note import PictureNote
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.viewport.handles import Dragged
+    from armui.viewport.path_picture import FindingMark
     from armui.viewport.view import ArmView
 
 DRAG_GIVEN_UP = Reason(
@@ -152,6 +153,13 @@ def moved_to(
 def _rounded(angle_deg: float) -> float:
     """Return an angle in degrees, rounded to the resolution in which angles are sent."""
     return round(angle_deg / ANGLE_STEP_DEG) * ANGLE_STEP_DEG
+
+
+def _differ(one: object, other: object) -> bool:
+    """Return whether targets are not the same six angles, but for the noise of measured ones."""
+    if not (isinstance(one, tuple) and isinstance(other, tuple)):
+        return one != other
+    return any(abs(a - b) > _ELSEWHERE_DEG for a, b in zip(one, other, strict=True))
 
 
 class DragTarget(Protocol):
@@ -436,6 +444,8 @@ class TargetDrag(QObject):
         self._began_with: object = None
         self._refused = False
         self._told: Refusal | Callable[[], str] | None = None
+        self._refusal: tuple[FindingMark, DragTarget | None, object] | None = None
+        """Where a refused motion would touch, the target then, and what was typed there."""
         self.kind: HandleKind | None = None
         self._look = QTimer(self, interval=_LOOK_MS)
         self._look.timeout.connect(self.look)
@@ -478,10 +488,26 @@ class TargetDrag(QObject):
         self._preview.show_target(None)
         return True
 
+    def show_refused(self, finding: FindingMark | None) -> None:
+        """Have the ghost stand where a refused motion would touch; None ends that.
+
+        Another target ends it, too.
+        """
+        target = self._target()
+        typed = None if target is None else target.typed_deg()
+        before = self._refusal
+        self._refusal = None if finding is None else (finding, target, typed)
+        if self._refusal != before:
+            self.look()
+
     def _show_target(self, target: DragTarget | None) -> None:
         """Show ghost and handles of a target; without one, where the way inside leads."""
         typed = None if target is None else target.typed_deg()
         kind = self._kind_for(target)
+        if self._refusal is not None:
+            _, refused, typed_then = self._refusal
+            if target is not refused or _differ(typed, typed_then):
+                self._refusal = None
         angles_deg = None if isinstance(typed, Refusal) else typed
         place = None
         if target is not None and kind is not None:
@@ -490,6 +516,11 @@ class TargetDrag(QObject):
             if angles_deg is not None:
                 place = self._drag_base(target, angles_deg, kind).place(angles_deg)
         self._view.set_handles(place)
+        if self._refusal is not None:
+            finding = self._refusal[0]
+            self._preview.show_target(finding.joints_deg, finding)
+            self._tell(self._touching_text)
+            return
         inside_deg = self._inside_deg() if angles_deg is None else None
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else inside_deg
         self._preview.show_target(ghost_deg)
@@ -532,6 +563,9 @@ class TargetDrag(QObject):
     def _preview_text(self) -> str:
         return self.tr("Preview of the target: it has not been sent")
 
+    def _touching_text(self) -> str:
+        return self.tr("The ghost shows where the arm would touch")
+
     def _inside_text(self) -> str:
         return self.tr("The ghost shows where Move inside brings the arm")
 
@@ -550,10 +584,7 @@ class TargetDrag(QObject):
     def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
         """Return whether a ghost there would not be one with the arm."""
         measured_deg = self._controller.state.angles_deg()
-        if angles_deg is None or measured_deg is None:
-            return angles_deg is not None
-        pairs = zip(angles_deg, measured_deg, strict=True)
-        return any(abs(one - other) > _ELSEWHERE_DEG for one, other in pairs)
+        return angles_deg is not None and _differ(tuple(angles_deg), measured_deg)
 
     def _tell(self, told: Refusal | Callable[[], str] | None) -> None:
         """Say what is seen, or why nothing is, until something else is to be said."""

@@ -58,6 +58,7 @@ class PathPreview(QObject):
         self._name = ""
         self._wanted_deg: tuple[float, ...] | None = None
         self._target_deg: tuple[float, ...] | None = None
+        self._target_finding: FindingMark | None = None
         self._is_seen = True
         self._scrubbed = False
         """The operator went to a time; what he did last is where the ghost is."""
@@ -186,19 +187,25 @@ class PathPreview(QObject):
         self.show(None)
         self.closed.emit()
 
-    def show_target(self, angles_deg: tuple[float, ...] | None) -> None:
+    def show_target(
+        self, angles_deg: tuple[float, ...] | None, finding: FindingMark | None = None
+    ) -> None:
         """Show the ghost at a target instead of on the path; None ends that.
 
         After the operator has chosen a time of the motion, the ghost stays there until a row is
         selected or the target changes.
+
+        Args:
+            angles_deg: The angles of the target.
+            finding: What the ghost shows, if it stands where a refused motion would touch.
         """
         if angles_deg is not None and angles_deg != self._wanted_deg:
             self._wanted_deg = angles_deg
             self._scrubbed = False
         if self._scrubbed or self._bar.is_playing:
             angles_deg = None
-        if angles_deg != self._target_deg:
-            self._target_deg = angles_deg
+        if (angles_deg, finding) != (self._target_deg, self._target_finding):
+            self._target_deg, self._target_finding = angles_deg, finding
             self._set(self._shown)
 
     def _set(self, preview: Preview) -> None:
@@ -206,5 +213,16 @@ class PathPreview(QObject):
         if not self._is_seen and preview.current_row is None:
             preview = NOTHING
         if self._target_deg is not None:
-            preview = replace(preview, ghost_deg=self._target_deg, finding=None)
+            finding = self._target_finding
+            path = preview.path if finding is None else _with_sign(preview.path, finding)
+            preview = replace(preview, path=path, ghost_deg=self._target_deg, finding=finding)
         self._view.set_preview(preview)
+
+
+def _with_sign(path: PathPicture | None, finding: FindingMark) -> PathPicture:
+    """Return a path, or none, with the sign of a finding alone."""
+    import numpy as np  # noqa: PLC0415 - the rules that find it have loaded it
+
+    nowhere = np.empty((0, 3))
+    path = path or PathPicture(nowhere, np.empty(0), nowhere, ())
+    return replace(path, findings=(finding,))
