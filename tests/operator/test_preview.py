@@ -139,6 +139,46 @@ def test_a_finding_in_the_picture_leads_to_its_row(app_driver):
     assert at.editor.table.current_row() == 1
 
 
+@pytest.mark.parametrize("of", ["editor", "library"])
+def test_a_sign_that_is_pressed_shows_where_the_arm_would_touch(app_driver, of):
+    at = Operator(app_driver, FOLDED, TURNED)
+    if of == "editor":
+        at.check()
+        at.editor.table.select_row(0)
+    else:
+        page = at.editor.above
+        at.editor.leave()
+        page._table.choose(["Test"])
+        app_driver.click(page.findChild(QWidget, "run_send"))
+    mark = next(each for each in at.shown.path.findings if each.touching)
+    assert at.shown.finding is None
+    app_driver.program.view.finding_picked.emit(mark)
+    assert at.shown.ghost_deg == pytest.approx(mark.joints_deg)
+    assert at.shown.finding == mark
+    app_driver.run(0.3)
+    assert at.shown.finding == mark, "it stays"
+    slider = app_driver.find("preview_slider")
+    slider.setFocus()
+    QTest.keyClick(slider, Qt.Key.Key_End)
+    assert at.shown.finding is None, "the ghost is elsewhere"
+
+
+def test_a_trajectory_that_is_not_chosen_leaves_nothing_in_the_picture(app_driver):
+    at = Operator(app_driver, FOLDED, TURNED)
+    Library(app_driver.library_folder).save(Trajectory("Other"))
+    page = at.editor.above
+    at.editor.leave()
+    app_driver.wait(lambda: page._table.model().rowCount() >= 2)
+    page._table.choose(["Test"])
+    app_driver.click(page.findChild(QWidget, "run_send"))
+    assert at.shown.path.findings
+    assert app_driver.find("preview_bar").isVisible()
+    page._table.choose(["Other"])
+    app_driver.run(0.3)
+    assert at.shown == NOTHING
+    assert not app_driver.find("preview_bar").isVisible()
+
+
 def test_a_finding_stands_where_the_arm_would_be(app_driver):
     at = Operator(app_driver, OUT, BEYOND)
     at.check()

@@ -327,9 +327,10 @@ class PreviewLink(QObject):
             target.editor.select_row(row)
 
     def on_finding_picked(self, finding: FindingMark) -> None:
-        """Select the row of a finding whose sign was clicked in 3D."""
+        """Select the row of a finding whose sign was clicked in 3D, and show where it is."""
         if finding.row is not None:
             self.on_mark_picked(finding.row)
+        self._preview.show_finding(finding)
 
     def _on_finding(self, finding: Finding) -> None:
         """Have the ghost stand where a finding is, on the way or at a point."""
