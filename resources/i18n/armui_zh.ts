@@ -301,14 +301,6 @@
         <translation>MOVE C 沿圆弧运动</translation>
     </message>
     <message>
-        <source>Master arm (teaching input arm)</source>
-        <translation>主臂（示教输入臂）</translation>
-    </message>
-    <message>
-        <source>Slave arm (motion output arm)</source>
-        <translation>从臂（运动输出臂）</translation>
-    </message>
-    <message>
         <source>Pause the planned motion</source>
         <translation>暂停规划轨迹</translation>
     </message>
@@ -379,6 +371,14 @@
     <message>
         <source>Park position: the targets</source>
         <translation>停放位：输入框中的目标</translation>
+    </message>
+    <message>
+        <source>Leader arm (teaching input)</source>
+        <translation>主臂（示教输入臂）</translation>
+    </message>
+    <message>
+        <source>Follower arm (motion output)</source>
+        <translation>从臂（运动输出臂）</translation>
     </message>
 </context>
 <context>
@@ -490,10 +490,6 @@
         <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
     </message>
     <message>
-        <source>Stop who else enters the work area</source>
-        <translation>其他程序或手带入工作区时停住</translation>
-    </message>
-    <message>
         <source>Stop when a hand or another program enters</source>
         <translation>用手或由其他程序带入时停住机械臂</translation>
     </message>
@@ -572,6 +568,10 @@
     <message>
         <source>Add a box to the work area</source>
         <translation>向工作区添加长方体</translation>
+    </message>
+    <message>
+        <source>Stop when others move it into the area</source>
+        <translation>其他程序或手带入工作区时停住</translation>
     </message>
     <message>
         <source>Apply the figures of the area</source>
@@ -1400,6 +1400,10 @@
 <context>
     <name>CellPanel</name>
     <message>
+        <source>Reads a cell from a file; says what is different before it takes effect.</source>
+        <translation>从文件读取单元；生效之前说明有何不同。</translation>
+    </message>
+    <message>
         <source>Asks first, then deletes the cell and its file.</source>
         <translation>先询问，再删除单元及其文件。</translation>
     </message>
@@ -1456,10 +1460,6 @@
         <translation>导入…</translation>
     </message>
     <message>
-        <source>Take over</source>
-        <translation>接管</translation>
-    </message>
-    <message>
         <source>Puts another cell in force, or none; that confirms it, too.</source>
         <translation>换用另一个单元或不用单元；同时也就确认了它。</translation>
     </message>
@@ -1474,6 +1474,10 @@
     <message>
         <source>They are the same.</source>
         <translation>两者相同。</translation>
+    </message>
+    <message>
+        <source>Confirm cell</source>
+        <translation>确认单元</translation>
     </message>
     <message>
         <source>Compare the cell with another</source>
@@ -1498,6 +1502,14 @@
     <message>
         <source>It takes the place of the file of this name that could not be read, which is put aside. What it holds:</source>
         <translation>它将取代同名但无法读取的文件，该文件另行保存。其内容：</translation>
+    </message>
+    <message>
+        <source>Import the cell “{name}”</source>
+        <translation>导入单元“{name}”</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
     </message>
     <message>
         <source>Type a name first.</source>
@@ -1536,14 +1548,6 @@
         <translation>没有需要确认的：单元已生效，或没有单元。</translation>
     </message>
     <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
-    </message>
-    <message>
-        <source>Reads a cell from a file; says what is different before it is taken over.</source>
-        <translation>从文件读取单元；接管之前说明有何不同。</translation>
-    </message>
-    <message>
         <source>Export…</source>
         <translation>导出…</translation>
     </message>
@@ -1558,10 +1562,6 @@
     <message>
         <source>Tool</source>
         <translation>工具</translation>
-    </message>
-    <message>
-        <source>Take over the cell “{name}”</source>
-        <translation>接管单元“{name}”</translation>
     </message>
     <message>
         <source>What it holds:</source>
@@ -3952,16 +3952,16 @@
         <translation>末端负载</translation>
     </message>
     <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
-    </message>
-    <message>
         <source>The arm acknowledges this setting, but cannot be asked for it afterwards.</source>
         <translation>机械臂会应答此设置，但之后无法查询。</translation>
     </message>
     <message>
         <source>Speed and acceleration of the end, by joint</source>
         <translation>各关节末端速度/加速度</translation>
+    </message>
+    <message>
+        <source>Set load</source>
+        <translation>确认</translation>
     </message>
     <message>
         <source>Linear speed</source>
@@ -4015,7 +4015,7 @@
         <translation>全部来源</translation>
     </message>
     <message>
-        <source>Who asked, or says it</source>
+        <source>Who asked for it, or reports it</source>
         <translation>发起方或来源</translation>
     </message>
     <message>
@@ -4752,10 +4752,6 @@
         <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
     </message>
     <message>
-        <source>From here on the hand holds “{name}”, which the cell does not have: its size is unknown. Choose the cell that has it, or add it under Cell, Held.</source>
-        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
-    </message>
-    <message>
         <source>Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from here on.</source>
         <translation>开头 {seconds} s 位于限位之外，如同静置的机械臂：将从此处开始回放。</translation>
     </message>
@@ -4782,6 +4778,10 @@
     <message>
         <source>Joint {joint} turns {value}° to hold this pose. If that is not meant, give the point as joint angles.</source>
         <translation>到达该位姿时关节 {joint} 要转 {value}°。如非本意，请改用关节角度表示该点。</translation>
+    </message>
+    <message>
+        <source>From here on the gripper holds “{name}”, which the cell does not have: its size is unknown. Choose the cell that has it, or add it under Cell, Held.</source>
+        <translation>从该点起夹爪夹着“{name}”，而当前单元没有这个工件，无法确定其大小。请选择含有该工件的单元，或在“单元”的“工件”中添加。</translation>
     </message>
     <message>
         <source>Joint {joint} jumps {value}° from the sample before. Trim the recording there, or record again.</source>
@@ -5742,7 +5742,7 @@ Z 轴指向 {direction}</translation>
         <translation>从此不夹工件</translation>
     </message>
     <message>
-        <source>What the hand holds from this point on</source>
+        <source>What the gripper holds from this point on</source>
         <translation>从该点起夹爪夹着的工件</translation>
     </message>
 </context>
@@ -6110,6 +6110,14 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>把工件的负载告知机械臂</translation>
     </message>
     <message>
+        <source>In the gripper: {mass} kg. The arm carries {most} kg at most.</source>
+        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
+    </message>
+    <message>
+        <source>The gripper holds “{name}”: it counts in every check until Let go.</source>
+        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
+    </message>
+    <message>
         <source>— (a new one)</source>
         <translation>—（新建）</translation>
     </message>
@@ -6170,10 +6178,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>请先按“应用”：输入的数值尚未生效。</translation>
     </message>
     <message>
-        <source>In the hand: {mass} kg. The arm carries {most} kg at most.</source>
-        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
-    </message>
-    <message>
         <source>Tell: {load}</source>
         <translation>告知：{load}</translation>
     </message>
@@ -6192,10 +6196,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>按“应用”使新数值生效。</translation>
-    </message>
-    <message>
-        <source>The hand holds “{name}”: it counts in every check until Let go.</source>
-        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
     </message>
     <message>
         <source>Press Add. It counts as soon as it is marked as held.</source>
@@ -7358,6 +7358,10 @@ at 100 %</source>
         <translation>全部</translation>
     </message>
     <message>
+        <source>The colour that Send colour sends</source>
+        <translation>点击“确认”后发送的颜色</translation>
+    </message>
+    <message>
         <source>Opens a window to pick a colour in; nothing is sent.</source>
         <translation>打开选取颜色的窗口，不发送任何指令。</translation>
     </message>
@@ -7378,18 +7382,14 @@ at 100 %</source>
         <translation>效果</translation>
     </message>
     <message>
-        <source>The colour that Confirm sends</source>
-        <translation>点击“确认”后发送的颜色</translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
-    </message>
-    <message>
         <source>Works on joints that have a lamp board.
 Lamps give no feedback: this is only what will be sent.</source>
         <translation>若已安装关节灯板，即可控制其灯光。
 灯光没有反馈：此处仅显示要发送的颜色。</translation>
+    </message>
+    <message>
+        <source>Send colour</source>
+        <translation>确认</translation>
     </message>
 </context>
 <context>
@@ -7407,12 +7407,16 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>设置联动</translation>
     </message>
     <message>
-        <source>Confirm</source>
+        <source>Set linkage…</source>
         <translation>确认</translation>
     </message>
     <message>
         <source>The arm becomes a teaching input and goes deaf: it obeys no command, not even the emergency stop; only cutting its power stops it. Its feedback ends, it can be led by hand and sends its own commands to the following arm.</source>
         <translation>机械臂成为示教输入臂后不再听任何指令，急停也无效，只有切断电源才能使它停止。它不再反馈，可用手拖动，并向跟随的机械臂发送自己的指令。</translation>
+    </message>
+    <message>
+        <source>Set linkage</source>
+        <translation>确认</translation>
     </message>
     <message>
         <source>In use: —</source>
@@ -7435,11 +7439,11 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>联动设置指令</translation>
     </message>
     <message>
-        <source>Master arm (teaching input arm)</source>
+        <source>Leader arm (teaching input)</source>
         <translation>主臂（示教输入臂）</translation>
     </message>
     <message>
-        <source>Slave arm (motion output arm)</source>
+        <source>Follower arm (motion output)</source>
         <translation>从臂（运动输出臂）</translation>
     </message>
     <message>
@@ -7926,6 +7930,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 设置立即生效。请核对机械臂的实际安装方式，并远离机械臂。</translation>
     </message>
     <message>
+        <source>Set mounting…</source>
+        <translation>设置安装方式…</translation>
+    </message>
+    <message>
         <source>Tells the arm how it is mounted. Asks first.</source>
         <translation>告知机械臂其安装方式。会先询问。</translation>
     </message>
@@ -7936,10 +7944,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Mounting of the arm</source>
         <translation>机械臂安装方式</translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation>确认</translation>
     </message>
     <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
@@ -8178,6 +8182,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>急停后机械臂可能下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
     </message>
     <message>
+        <source>From here on the gripper holds “{name}”.</source>
+        <translation>从此刻起夹爪夹着“{name}”。</translation>
+    </message>
+    <message>
+        <source>From here on the gripper holds nothing.</source>
+        <translation>从此刻起夹爪未夹工件。</translation>
+    </message>
+    <message>
         <source>The arm has answered the end load: {load}. It cannot be asked for it.</source>
         <translation>机械臂已应答末端负载：{load}（无法查询核对）。</translation>
     </message>
@@ -8236,14 +8248,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Cell renamed: {name}</source>
         <translation>单元已改名：{name}</translation>
-    </message>
-    <message>
-        <source>From here on the hand holds “{name}”.</source>
-        <translation>从此刻起夹爪夹着“{name}”。</translation>
-    </message>
-    <message>
-        <source>From here on the hand holds nothing.</source>
-        <translation>从此刻起夹爪未夹工件。</translation>
     </message>
     <message>
         <source>The same arm answers after {seconds} s of silence: the cell “{name}” stays in force.</source>
@@ -8390,6 +8394,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>正在检查路径…</translation>
     </message>
     <message>
+        <source>The arm did not react. Look at the line above the panels.</source>
+        <translation>机械臂无响应。请查看面板上方的提示。</translation>
+    </message>
+    <message>
         <source>Reference check left without a result: it counts as not done.</source>
         <translation>零位基准检查未完成便已退出，视为未检查。</translation>
     </message>
@@ -8480,10 +8488,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Sent: motion output (0xFC)</source>
         <translation>已发送：设置为运动输出臂（0xFC）</translation>
-    </message>
-    <message>
-        <source>The arm did not react. Look at the step above the panel.</source>
-        <translation>机械臂无响应。请查看面板上方的提示。</translation>
     </message>
     <message>
         <source>Replay continues</source>
@@ -9028,10 +9032,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>给单元改名</translation>
     </message>
     <message>
-        <source>Say what the hand holds</source>
-        <translation>标记夹爪夹持的工件</translation>
-    </message>
-    <message>
         <source>Release the emergency stop</source>
         <translation>解除急停</translation>
     </message>
@@ -9054,6 +9054,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Change the cell</source>
         <translation>更改单元</translation>
+    </message>
+    <message>
+        <source>Say what the gripper holds</source>
+        <translation>标记夹爪夹持的工件</translation>
     </message>
     <message>
         <source>Set the speed</source>
@@ -10768,10 +10772,6 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
-        <source>Last used here: the cell “{name}”, the hand holding “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell first.</source>
-        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”中标为“已放下”。</translation>
-    </message>
-    <message>
         <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
         <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
     </message>
@@ -10858,6 +10858,10 @@ The other program must have ended.</source>
     <message>
         <source>Another program drives the arm in {other_mode} mode. Nothing is sent by itself: a new mode leaves the joints limp. Stop that program first.</source>
         <translation>另一程序正以{other_mode}模式驱动机械臂。本程序不会自行发送任何指令：切换模式会使关节失力。请先停止该程序。</translation>
+    </message>
+    <message>
+        <source>Last used here: the cell “{name}”, the gripper holding “{held}”. Confirm both if they are there; if the gripper is empty, let go under Cell first.</source>
+        <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”中标为“已放下”。</translation>
     </message>
     <message>
         <source>The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.</source>
@@ -11173,6 +11177,10 @@ The other program must have ended.</source>
         <translation>速度百分比为 0 %，机械臂不会运动。请在窗口上方设置 1～100 % 的速度。</translation>
     </message>
     <message>
+        <source>The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen under Settings. Move upwards.</source>
+        <translation>末端或工件将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请向上移动。</translation>
+    </message>
+    <message>
         <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
         <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
     </message>
@@ -11275,10 +11283,6 @@ The other program must have ended.</source>
     <message>
         <source>Outside the limits: {joints}. Until all are inside the arm takes no other target. Hold Move inside in the line above the panels.</source>
         <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
-    </message>
-    <message>
-        <source>The hand or what it holds would come to {value} mm; motions end at {minimum} mm, as chosen under Settings. Move upwards.</source>
-        <translation>手部或所夹之物将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请向上移动。</translation>
     </message>
     <message>
         <source>The arm would hit itself: {other} against {one}. Move another way.</source>
@@ -11441,10 +11445,6 @@ The other program must have ended.</source>
         <translation>点动步长：“{value}”不是角度。请输入以度为单位的数字，例如 0.5。</translation>
     </message>
     <message>
-        <source>This adapter was last used with the cell “{name}”, and the hand held “{held}”. Confirm both if they are there; if the hand is empty, let go under Cell, Held first.</source>
-        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
-    </message>
-    <message>
         <source>The three points lie nearly in line: the third is {value}° off the X axis, at least {minimum}° are needed. Take the point on the +Y side again, further to the side.</source>
         <translation>三点几乎共线：第三点偏离 X 轴只有 {value}°，至少需要 {minimum}°。请在 +Y 一侧更偏的位置重新采集该点。</translation>
     </message>
@@ -11469,8 +11469,24 @@ The other program must have ended.</source>
         <translation>仿真机械臂的进程已结束。已连接的会自动重新启动，如同断电后上电；否则请重新连接。</translation>
     </message>
     <message>
+        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was changed; choose another file, or correct that line.</source>
+        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何更改；请选择另一个文件，或改正该行。</translation>
+    </message>
+    <message>
+        <source>This is no cell of this program. Nothing was changed; choose another file.</source>
+        <translation>这不是本程序的单元文件。未作任何更改；请选择另一个文件。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s file is not valid at “{field}” ({problem}). Nothing was changed; choose another file, or correct the field.</source>
+        <translation>单元文件在“{field}”处无效（{problem}）。未作任何更改；请选择另一个文件，或改正该字段。</translation>
+    </message>
+    <message>
         <source>The arm was moving when it was first heard, and not by a command of this connection. Wait until it rests, or press Halt (F9).</source>
         <translation>开始收到机械臂反馈时，它已在运动，且不是本次连接发出的指令。请等它静止，或按停住（F9）。</translation>
+    </message>
+    <message>
+        <source>This adapter was last used with the cell “{name}”, and the gripper held “{held}”. Confirm both if they are there; if the gripper is empty, let go under Cell, Held first.</source>
+        <translation>此适配器上次使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”的“工件”中标为“已放下”。</translation>
     </message>
     <message>
         <source>The arm was silent or exchanged meanwhile, and may be another one: the points taken before were dropped. Take them anew.</source>
@@ -11623,6 +11639,10 @@ The other program must have ended.</source>
     <message>
         <source>The points were changed while the program worked on them. Try again.</source>
         <translation>处理期间点位已被改动，本次操作未执行。请重试。</translation>
+    </message>
+    <message>
+        <source>Not run: the check has found errors ({count}). Correct what is listed, then press Run again.</source>
+        <translation>未运行：检查发现 {count} 个错误。请处理列出的各项，再次点击发送。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
@@ -12353,10 +12373,6 @@ The other program must have ended.</source>
         <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
     </message>
     <message>
-        <source>Not run: the check has found errors ({count}). Correct what is listed, then send again.</source>
-        <translation>未发送：检查发现 {count} 个错误。请处理列出的各项后再发送。</translation>
-    </message>
-    <message>
         <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
     </message>
@@ -12505,10 +12521,6 @@ The other program must have ended.</source>
         <translation>关节 {joints} 的实际位置可能与上报不符：其零位基准存疑。请检查，或在面板上方的提示行中同意运动。不超过 {maximum} % 的单次运动无需同意。</translation>
     </message>
     <message>
-        <source>The cell&apos;s file is not valid at “{field}” ({problem}). Nothing was taken over; choose another file, or correct the field.</source>
-        <translation>单元文件在“{field}”处无效（{problem}）。未作任何接管；请选择另一个文件，或改正该字段。</translation>
-    </message>
-    <message>
         <source>The gripper table needs two pairs at least, so that openings between them are known.</source>
         <translation>夹爪校准表至少需要两组，才能得知其间的开度。</translation>
     </message>
@@ -12545,10 +12557,6 @@ The other program must have ended.</source>
         <translation>关节 {joint} 没有刻线，也没有示教基准位姿：请与画面比较。</translation>
     </message>
     <message>
-        <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was taken over; choose another file, or correct that line.</source>
-        <translation>单元文件损坏或不完整：第 {line} 行第 {column} 列不是 JSON。未作任何接管；请选择另一个文件，或改正该行。</translation>
-    </message>
-    <message>
         <source>The pose is not heard any more: nothing was taken. Wait until the arm reports it again.</source>
         <translation>收不到位姿：未采集。请等机械臂重新上报。</translation>
     </message>
@@ -12559,10 +12567,6 @@ The other program must have ended.</source>
     <message>
         <source>“{name}”, {field}: {value} is not possible. Enter a figure from {minimum} to {maximum}.</source>
         <translation>“{name}”，{field}：{value} 无效。请输入 {minimum} 到 {maximum} 的数值。</translation>
-    </message>
-    <message>
-        <source>This is no cell of this program. Nothing was taken over; choose another file.</source>
-        <translation>这不是本程序的单元文件。未作任何接管；请选择另一个文件。</translation>
     </message>
     <message>
         <source>The point is {value} mm beside the line it must be off from; at least {minimum} mm are needed. Choose a point further away.</source>
@@ -12896,10 +12900,6 @@ The other program must have ended.</source>
         <translation>发送</translation>
     </message>
     <message>
-        <source>Call off</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Once</source>
         <translation>单次</translation>
     </message>
@@ -12950,6 +12950,10 @@ The other program must have ended.</source>
     <message>
         <source>Checks it and runs it</source>
         <translation>检查后运行</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
     <message>
         <source>The first sample is approached at {percent} %.</source>
@@ -14757,8 +14761,8 @@ The other program must have ended.</source>
         <translation>按“{action}”。</translation>
     </message>
     <message>
-        <source>To leave drag teaching, take the steps in the line at the top:</source>
-        <translation>退出示教模式，请按顶部提示逐步操作：</translation>
+        <source>To leave drag teaching, take the steps in the line above the panels:</source>
+        <translation>退出示教模式，请按面板上方的提示逐步操作：</translation>
     </message>
 </context>
 <context>
