@@ -1,6 +1,6 @@
 """The whole program on the rig, in the hands of an operator who clicks and reads."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor, Future
 from contextlib import AbstractContextManager, contextmanager, nullcontext
 from pathlib import Path
@@ -15,6 +15,7 @@ from shiboken6 import isValid
 from armui.app import Program
 from armui.protocol.generation import Generation
 from armui.settings import SettingsStore
+from armui.sim.faults.schedule import fault
 from armui.ui import theme
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
@@ -101,6 +102,28 @@ class _Shutter(QObject):
         return True
 
 
+class RigHand:
+    """The hand at the arm of a rig, as `LineHand` is at that of another process."""
+
+    def __init__(self, rig: ArmRig) -> None:
+        self._rig = rig
+        self.faults: set[tuple[str, int]] = set()
+
+    def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = 30.0) -> None:
+        """Lead all joints to six angles."""
+        self._rig.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s)
+
+    def let_go(self) -> None:
+        """Release the arm."""
+        self._rig.firmware.hand_guiding.let_go()
+
+    def switch(self, name: str, joint: int, *, begins: bool) -> None:
+        """Begin or end a fault."""
+        (self.faults.add if begins else self.faults.discard)((name, joint))
+        faults = self._rig.node.faults
+        (faults.start if begins else faults.end)(fault(name, joint or None))
+
+
 class AppDriver(ArmRig):
     """A rig with the main window on it.
 
@@ -120,6 +143,7 @@ class AppDriver(ArmRig):
         window: Its main window, shown.
         library_folder: Where its trajectories are kept.
         workers: As given.
+        hand: At its simulated arm.
     """
 
     def __init__(
@@ -139,6 +163,7 @@ class AppDriver(ArmRig):
         self.store = SettingsStore(settings, for_this_run={"language": "en"})
         self.library_folder = settings.parent / "trajectories"
         self.workers = workers or AtOnce()
+        self.hand = RigHand(self)
         if bool(app.styleSheet()) is not styled:
             _ask_style_sheet_anew(app)
         self._styled = styled
@@ -151,7 +176,7 @@ class AppDriver(ArmRig):
                 self.library_folder,
                 files=files or AtOnce(),
                 pictures=pictures,
-                hand=lambda: self.firmware.hand_guiding,
+                hand=lambda: self.hand,
             )
         self.window = self.program.window
         self.window.resize(1280, 800)

@@ -1,4 +1,4 @@
-"""The arm to simulate in another process, and the messages of the hand that leads it."""
+"""The arm to simulate in another process, and the messages of the hand at it."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from typing import Final
 
 from armui.protocol.generation import Generation, PiperModel
 
-HAND: Final = struct.Struct("<7d")
-"""Six angles in degrees and a speed in degrees a second; a speed of 0 lets go."""
-LETS_GO: Final = (0.0,) * 7
+HAND: Final = struct.Struct("<24s7d")
+"""No name, six angles in degrees and a speed in degrees a second, of which 0 lets go; or the name
+of a fault, its joint (0 for none) and 1 if it begins, 0 if it ends.
+"""
+LETS_GO: Final = (b"", *(0.0,) * 7)
 """What the hand's line says of a hand that is not there."""
 
 

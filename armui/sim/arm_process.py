@@ -2,7 +2,7 @@
 
 There neither the window's work nor Python's lock holds it up, and it holds up nobody: like a real
 arm it says what is due when it is due. Frames travel on one line, several in a message; what the
-hand does that leads the arm, on another. The end of the frames' line ends the process.
+hand does that leads or breaks the arm, on another. The end of the frames' line ends the process.
 """
 
 from __future__ import annotations
@@ -26,25 +26,34 @@ _ENDS_WITHIN_S: Final = 2.0
 
 
 class LineHand:
-    """The hand that leads the arm of another process.
+    """The hand that leads the arm of another process, and breaks it.
 
     Where that process takes nothing any more, the hand lets go: its line is closed.
+
+    Attributes:
+        faults: The faults that it has begun and not ended: name and joint, 0 for none.
     """
 
     def __init__(self, line: RecordSocket) -> None:
         self._line = line
+        self.faults: set[tuple[str, int]] = set()
 
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = 30.0) -> None:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
-        self._send_hand(*joints_deg, speed_deg_s)
+        self._send_hand(b"", *joints_deg, speed_deg_s)
 
     def let_go(self) -> None:
         """Release the arm, which stays where it is."""
         self._send_hand(*LETS_GO)
 
-    def _send_hand(self, *figures: float) -> None:
+    def switch(self, name: str, joint: int, *, begins: bool) -> None:
+        """Begin or end a fault, by its name in `armui.sim.faults.schedule`; its joint, or 0."""
+        (self.faults.add if begins else self.faults.discard)((name, joint))
+        self._send_hand(name.encode(), joint, begins, *(0.0,) * 5)
+
+    def _send_hand(self, name: bytes, *figures: float) -> None:
         try:
-            self._line.send(HAND.pack(*figures))
+            self._line.send(HAND.pack(name, *figures))
         except OSError:
             self._line.close()
 

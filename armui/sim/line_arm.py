@@ -10,6 +10,7 @@ from armui.protocol.frame import Frame
 from armui.protocol.frame_records import pack, unpack
 from armui.sim.arm_choice import HAND, LETS_GO, ArmChoice
 from armui.sim.arm_loop import ArmLoop
+from armui.sim.faults.schedule import fault
 from armui.sim.firmware import Firmware
 from armui.system.record_socket import RecordSocket
 
@@ -23,7 +24,7 @@ class LineArm(ArmLoop):
     Args:
         choice: What it is.
         line: Its end of the line of frames.
-        hand_line: Its end of the line by which a hand leads it.
+        hand_line: Its end of the line by which a hand leads it, and breaks it.
     """
 
     def __init__(self, choice: ArmChoice, line: RecordSocket, hand_line: RecordSocket) -> None:
@@ -63,8 +64,12 @@ class LineArm(ArmLoop):
         except OSError:
             self._hand_line = None
             told = HAND.pack(*LETS_GO)
-        for *joints_deg, speed_deg_s in HAND.iter_unpack(told):
-            if speed_deg_s:
+        for name, *joints_deg, speed_deg_s in HAND.iter_unpack(told):
+            if name := name.rstrip(b"\0"):
+                joint, begins, *_ = joints_deg
+                switch = self.faults.start if begins else self.faults.end
+                switch(fault(name.decode(), joint or None))
+            elif speed_deg_s:
                 self.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s)
             else:
                 self.firmware.hand_guiding.let_go()

@@ -80,7 +80,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         workers: Runs long work.
         files: Runs work that waits for a disk, in a thread of this process; by default the workers.
         trajectories: The folder of the library; the user's own by default.
-        hand: Gives access to the hand that leads the simulated arm of this program; by default
+        hand: Gives access to the hand at the simulated arm of this program; by default
             none.
 
     Attributes:
@@ -154,6 +154,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             trajectories=self._trajectory_pages,
             files=files or workers,
             leave_arm_then=self._leave_arm_then,
+            hand=hand,
         )
         self.pages.show_marks_in(self._status_bar)
         self.window_actions = WindowActions(self, controller, preferences, background)

@@ -325,6 +325,10 @@
         <translation>请先在该面板中按“编辑”。</translation>
     </message>
     <message>
+        <source>Only a simulated arm has them: connect one.</source>
+        <translation>仅用于仿真机械臂：请先连接一台。</translation>
+    </message>
+    <message>
         <source>There is nothing to do here right now.</source>
         <translation>现在没有可执行的内容。</translation>
     </message>
@@ -2297,6 +2301,10 @@
     <message>
         <source>no progress line</source>
         <translation>不显示进度行</translation>
+    </message>
+    <message>
+        <source>the supply is off; at the end the arm starts anew</source>
+        <translation>供电断开；结束时机械臂重新启动</translation>
     </message>
     <message>
         <source>the bus</source>
@@ -4474,6 +4482,29 @@
     <message>
         <source>An error in the program ({error}). The emergency stop works; the part that failed can move nothing, and no motion was ended. Copy the details for the developers.</source>
         <translation>程序内部出错（{error}）。急停仍然有效；出错部分不驱动任何运动，因此未结束运动。请复制详细信息交给开发者。</translation>
+    </message>
+</context>
+<context>
+    <name>FaultsDialog</name>
+    <message>
+        <source>Simulated faults</source>
+        <translation>仿真故障</translation>
+    </message>
+    <message>
+        <source>At joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Of the arm and its bus</source>
+        <translation>整臂与总线</translation>
+    </message>
+    <message>
+        <source>Pressed, a fault begins; pressed again, it ends.</source>
+        <translation>按下开始故障，再按一次结束。</translation>
+    </message>
+    <message>
+        <source>On: {faults}</source>
+        <translation>进行中：{faults}</translation>
     </message>
 </context>
 <context>
@@ -13460,6 +13491,10 @@ The other program must have ended.</source>
         <translation>关于本机械臂…</translation>
     </message>
     <message>
+        <source>Simulated faults…</source>
+        <translation>仿真故障…</translation>
+    </message>
+    <message>
         <source>The built-in robot description is in use.</source>
         <translation>当前使用的就是内置模型。</translation>
     </message>
@@ -14520,6 +14555,77 @@ The other program must have ended.</source>
     <message>
         <source>Zero learning</source>
         <translation>零点学习</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedFault</name>
+    <message>
+        <source>Motor too hot</source>
+        <translation>电机过温</translation>
+    </message>
+    <message>
+        <source>Driver too hot</source>
+        <translation>驱动器过温</translation>
+    </message>
+    <message>
+        <source>Overcurrent</source>
+        <translation>过流</translation>
+    </message>
+    <message>
+        <source>Joint not reached</source>
+        <translation>关节通信异常</translation>
+    </message>
+    <message>
+        <source>Encoder fails</source>
+        <translation>编码器故障</translation>
+    </message>
+    <message>
+        <source>Driver fails</source>
+        <translation>驱动器故障</translation>
+    </message>
+    <message>
+        <source>Joint blocked</source>
+        <translation>关节堵转</translation>
+    </message>
+    <message>
+        <source>Collision (40 N·m)</source>
+        <translation>碰撞（40 N·m）</translation>
+    </message>
+    <message>
+        <source>Reference lost, until resume</source>
+        <translation>丢失基准，恢复后正常</translation>
+    </message>
+    <message>
+        <source>Limits 0xFFFF, until reset</source>
+        <translation>限位 0xFFFF，重设后正常</translation>
+    </message>
+    <message>
+        <source>Power off</source>
+        <translation>断电</translation>
+    </message>
+    <message>
+        <source>Undervoltage (18 V)</source>
+        <translation>欠压（18 V）</translation>
+    </message>
+    <message>
+        <source>Feedback silent</source>
+        <translation>停止反馈</translation>
+    </message>
+    <message>
+        <source>Bus off</source>
+        <translation>总线关闭（bus-off）</translation>
+    </message>
+    <message>
+        <source>10 % of frames lost</source>
+        <translation>丢失 10 % 的帧</translation>
+    </message>
+    <message>
+        <source>Frames 50 ms late</source>
+        <translation>帧延迟 50 ms</translation>
+    </message>
+    <message>
+        <source>Foreign frames, 100/s</source>
+        <translation>外来帧，每秒 100 个</translation>
     </message>
 </context>
 <context>

@@ -105,6 +105,7 @@ DIALOG_SCENES = (
     DialogScene("connect-model-wrong", "model-wrong", models.connect_wrong),
     DialogScene("about-arm-model-wrong", "model-wrong", dialogs.about_arm),
     DialogScene("settings", "no-device", dialogs.settings),
+    DialogScene("simulated-faults", "online", dialogs.simulated_faults),
     DialogScene("settings-refused", "no-device", dialogs.settings_refused),
     DialogScene("gamepad-settings", "no-device", gamepads.settings),
     DialogScene("gamepad-space-mouse", "no-device", gamepads.space_mouse),

@@ -30,6 +30,7 @@ from armui.ui.dialogs.connect import AdapterTrouble, ConnectDialog
 from armui.ui.dialogs.doctor import DoctorDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
+from armui.ui.dialogs.simulated_faults import FaultsDialog
 from tests.app_driver import AppDriver
 
 ADAPTERS = (
@@ -65,6 +66,13 @@ def connect_failed(app_driver: AppDriver) -> QDialog:
 def settings(app_driver: AppDriver) -> SettingsDialog:
     app_driver.window.pages.show("settings")
     return app_driver.dialog(SettingsDialog)
+
+
+def simulated_faults(app_driver: AppDriver) -> QDialog:
+    app_driver.window.pages.show("simulated")
+    dialog = app_driver.dialog(FaultsDialog)
+    dialog.switches["sensor-error"].click()
+    return dialog
 
 
 def settings_refused(app_driver: AppDriver) -> QDialog:

@@ -79,6 +79,10 @@ def _switch_off(on: Broken, _value: float, present: bool) -> None:
     on.link.off = present
 
 
+def _cut_power(on: Broken, _value: float, present: bool) -> None:
+    (on.arm.switch_off if present else on.arm.switch_on)()
+
+
 def _stop_feedback(on: Broken, _value: float, present: bool) -> None:
     on.arm.feedback_stopped = present
 
@@ -113,6 +117,9 @@ FAULTS: Final[dict[str, FaultKind]] = {
         lambda arm, joint, present: arm.drivers.overheat_driver(joint - 1, on=present),
     ),
     "undervoltage": FaultKind("the supply gives 18 V", FaultParameter.NONE, 0.0, _weaken_supply),
+    "power-off": FaultKind(
+        "the supply is off; at the end the arm starts anew", FaultParameter.NONE, 0.0, _cut_power
+    ),
     "overcurrent": _alarm(
         "a driver sees too much current and switches its motor off", Alarm.OVERCURRENT
     ),

@@ -43,6 +43,13 @@ def with_angles(now: OperatingState) -> str:
     return words.why_not(why_unreachable(now.link) or unknown)
 
 
+def with_simulated(now: OperatingState) -> str:
+    """Return the reason if no simulated arm of this program is connected; empty otherwise."""
+    if now.device is not None and now.device.simulated:
+        return ""
+    return QCoreApplication.translate("Action", "Only a simulated arm has them: connect one.")
+
+
 def with_pose(now: OperatingState) -> str:
     """Return the reason if the pose of the flange is not heard; empty otherwise."""
     unknown = None if now.pose_known else POSE_UNKNOWN()
@@ -58,7 +65,8 @@ class Command:
         own_title: The title in the palette; ``None``: that of its shortcut or of its operation.
         operation: The operation on the arm that it carries out, if it is one.
         arguments: The arguments of the operation that its reason depends on.
-        needs: Returns from the operating state what is missing while its target is not visible.
+        needs: Returns from the operating state what is missing while its target is not visible, or
+            is an action.
         leads: True if only its page is opened while that is hidden, as for an operation that is
             shown first.
         presses: True if its button is pressed; otherwise the command only brings the operator to

@@ -120,6 +120,8 @@ class PaletteItems:
             act = owner.act_of(command.name) if isinstance(owner, HasActs) else None
             if seen:
                 reason = _why_off(target) if act is None else act.reason()
+                if isinstance(target, QAction):  # it is never off by itself
+                    reason = reason or command.needs(now)
             else:
                 reason = source.why_not() or command.needs(now) or command.refusal(now)
                 reason = reason or (nothing_to_do() if known else "")

@@ -28,11 +28,11 @@ from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target, also
+from armui.ui.actions.command import Command, Target, also, with_simulated
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
-from armui.ui.widgets.buttons import caption, describe, named, push_button
+from armui.ui.widgets.buttons import caption, describe, enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
@@ -90,7 +90,7 @@ class SettingsDialog(ArmDialog):
         self._build()
         self.resize(*_SIZE_PX)
         controller.operating_state_changed.connect(self._on_operating_state)
-        self._model = controller.operating_state.model
+        self._connected: tuple[object, ...] = ()
         self.language_box.activated.connect(self._on_language)
         self.theme_box.activated.connect(self._on_theme)
         self.jog_step_edit.editingFinished.connect(self._on_jog_step)
@@ -137,6 +137,7 @@ class SettingsDialog(ArmDialog):
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
         self.about_button = push_button("about_button", on_enter=False)
+        self.faults_button = push_button("faults_button", on_enter=False)
         self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
         self.gamepad_button = push_button("gamepad_button", on_enter=False)
         self._gamepad_dialog: GamepadDialog | None = None
@@ -166,7 +167,7 @@ class SettingsDialog(ArmDialog):
             grid.addWidget(box, grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
-        told = (self.diagnosis_button, self.about_arm_button, self.about_button)
+        told = (self.diagnosis_button, self.about_arm_button, self.about_button, self.faults_button)
         fill(self.footer, *told, STRETCH, CloseButton(self))
 
     def retranslate_ui(self) -> None:
@@ -193,6 +194,7 @@ class SettingsDialog(ArmDialog):
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
         self.about_button.setText(self.tr("About armui…"))
+        self.faults_button.setText(self.tr("Simulated faults…"))
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -209,8 +211,8 @@ class SettingsDialog(ArmDialog):
             self._problem = None
 
     def _on_operating_state(self, now: OperatingState) -> None:
-        if self._model != now.model:
-            self._model = now.model
+        if self._connected != (now.model, now.device):
+            self._connected = (now.model, now.device)
             self._refresh()
 
     def _refresh(self) -> None:
@@ -235,6 +237,7 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.setEnabled(not built_in)
         tip = self.tr("The built-in robot description is in use.") if built_in else ""
         self.built_in_button.setToolTip(tip)
+        enable_or_explain(self.faults_button, with_simulated(self._controller.operating_state))
         self._show_problem(self._problem)
 
     def _show_problem(self, problem: Refusal | None) -> None:

@@ -24,6 +24,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "EditorPage": "editor",
     "EventPage": "events",
     "ExportDialog": "export",
+    "FaultsDialog": "simulated",
     "GamepadDialog": "gamepad",
     "HelpPage": "view",
     "ImportReport": "files",

@@ -337,13 +337,22 @@ class CartesianTarget(_InForce):
 
 
 class HandGuide(Protocol):
-    """The hand that leads a simulated arm which gives way (`armui.sim`)."""
+    """The hand that leads a simulated arm which gives way, and breaks it (`armui.sim`).
+
+    Attributes:
+        faults: The faults that it has begun and not ended: name and joint, 0 for none.
+    """
+
+    faults: set[tuple[str, int]]
 
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
 
     def let_go(self) -> None:
         """Release the arm, which stays in place."""
+
+    def switch(self, name: str, joint: int, *, begins: bool) -> None:
+        """Begin or end a fault, by its name; its joint, or 0."""
 
 
 class LedArm(_InForce):

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.problem_report import ProblemReportDialog
     from armui.ui.dialogs.reference_check import ReferenceDialog
     from armui.ui.dialogs.settings import SettingsDialog
+    from armui.ui.dialogs.simulated_faults import FaultsDialog
     from armui.ui.guide.guide_page import GuidePage
     from armui.ui.guide.help_page import HelpPage
     from armui.ui.trajectory.editor.editor_page import EditorPage
@@ -130,6 +131,13 @@ def settings_dialog() -> type[SettingsDialog]:
     from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - for its window
 
     return SettingsDialog
+
+
+def faults_dialog() -> type[FaultsDialog]:
+    """Return the class of the window 仿真故障: what breaks the simulated arm."""
+    from armui.ui.dialogs.simulated_faults import FaultsDialog  # noqa: PLC0415 - for its window
+
+    return FaultsDialog
 
 
 def doctor_dialog() -> type[DoctorDialog]:

@@ -20,7 +20,7 @@ from armui.ui.shell.page_kinds import (
 from armui.ui.widgets.page import Page
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Callable, Mapping, Sequence
     from concurrent.futures import Executor
     from pathlib import Path
 
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.dialogs.base import ArmDialog
     from armui.ui.dialogs.connect import Leaving
+    from armui.ui.picture.target_drag import HandGuide
     from armui.ui.shell.drawer import Drawer
     from armui.ui.shell.page_entry import PageEntry
     from armui.ui.shell.status_bar import StatusBar
@@ -60,6 +61,7 @@ class PageOpener(QObject):
         trajectories: As the attribute.
         files: Runs work that waits for the operating system.
         leave_arm_then: Leaves the arm; what is not saved asks first.
+        hand: Gives access to the hand at the simulated arm of this program.
 
     Attributes:
         online: The time since when the arm is heard.
@@ -81,6 +83,7 @@ class PageOpener(QObject):
         trajectories: TrajectoryPages,
         files: Executor,
         leave_arm_then: Leaving,
+        hand: Callable[[], HandGuide | None],
     ) -> None:
         super().__init__(window)
         self.window: QWidget = window
@@ -91,6 +94,7 @@ class PageOpener(QObject):
         self.background: Background = background
         self.trajectories: TrajectoryPages = trajectories
         self.leave_arm_then: Leaving = leave_arm_then
+        self.hand: Callable[[], HandGuide | None] = hand
         self._pages = pages
         self.online = OnlineSince(controller, window)
         self._workspace, self._drawer, self._files = workspace, drawer, files

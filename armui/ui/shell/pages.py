@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from armui.ui.actions.command import Command, also
+from armui.ui.actions.command import Command, also, with_simulated
 from armui.ui.shell.page_entry import Home, PageEntry
 from armui.ui.shell.page_kinds import (
     about_arm_dialog,
@@ -22,6 +22,7 @@ from armui.ui.shell.page_kinds import (
     editor_page,
     event_page,
     export_dialog,
+    faults_dialog,
     guide_page,
     help_page,
     joint_status_page,
@@ -104,6 +105,7 @@ def _new_settings(pages: PageOpener) -> SettingsDialog:
     dialog.diagnosis_wanted.connect(pages.open_doctor)
     dialog.about_arm_wanted.connect(lambda: pages.show("about_arm"))
     dialog.about_wanted.connect(lambda: pages.show("about"))
+    dialog.faults_button.clicked.connect(lambda: pages.show("simulated"))
     return dialog
 
 
@@ -231,6 +233,11 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("ProblemReportDialog", "Report a problem"), Home.WINDOW, report_dialog, _new_report,
         command=Command("window.report", Text("ProblemReportDialog", "Report a problem"),
                         synonyms=also("bug support zip log 反馈 故障 日志"))),
+    "simulated": PageEntry(
+        Text("FaultsDialog", "Simulated faults"), Home.WINDOW, faults_dialog,
+        lambda it: faults_dialog()(it.controller, it.hand, it.window),
+        command=Command("window.faults", Text("FaultsDialog", "Simulated faults"),
+                        needs=with_simulated, synonyms=also("inject demo test 模拟 演示 测试"))),
     "about": PageEntry(
         Text("AboutDialog", "About armui"), Home.WINDOW, about_dialog, _new_about,
         command=Command("window.about", Text("AboutDialog", "About armui"),
