@@ -38,7 +38,13 @@ from armui.ui.shell.page_opener import PageOpener
 from armui.ui.shell.pages import PAGES, PLACES
 from armui.ui.shell.recovery_line import RecoveryLine
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
-from armui.ui.shell.side_menu import JointStatusButton, LibraryButton, SideMenu, WatchMenu
+from armui.ui.shell.side_menu import (
+    JointStatusButton,
+    LibraryButton,
+    MenuFoot,
+    SideMenu,
+    WatchMenu,
+)
 from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
 from armui.ui.shell.step_row import StepRow
 from armui.ui.shell.top_bar import TopBar
@@ -175,11 +181,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         watch_menu = WatchMenu({key: page for key, page in PAGES.items() if page.beside_menu})
         for tabs in (watch_menu, self._drawer):
             tabs.page_wanted.connect(self.pages.show)
+        self._foot = MenuFoot()
         self._menu = SideMenu(
             self._entries,
             library=self._library_button,
             watch=watch_menu,
             joint_status=self._joint_status_button,
+            foot=self._foot,
             folded=self._keeper.layout.menu_folded,
         )
         self._menu.folded_by_hand.connect(self._on_menu_folded)
@@ -203,7 +211,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 "window.joint_status": self._joint_status_button,
             },
         )
-        parts = (top, self.window_actions, watch_menu, self._view_region, self._picture.bar)
+        parts = (top, self.window_actions, watch_menu, self._foot, self._picture.bar)
         self._offer((*parts, self._preview_bar, self._menu))
         gamepad = GamepadStrip(self._controller, self._preferences)
         work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
@@ -238,9 +246,9 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._library_button.clicked.connect(self.open_library_window)
         self._library_button.clicked.connect(self._show_where)
         self._work_area.turned.connect(self._show_where)
-        self._view_region.help_wanted.connect(self._opening("help"))
-        self._view_region.reset_wanted.connect(self._view.reset_view)
-        self._view_region.settings_wanted.connect(self._opening("settings"))
+        self._foot.help.clicked.connect(self._opening("help"))
+        self._foot.reset_view.clicked.connect(self._view.reset_view)
+        self._foot.settings.clicked.connect(self._opening("settings"))
         self._picture.follow_panels(self._panels.currentWidget)
         self._view.joint_picked.connect(self._panels.focus_joint)
         self._view.load_failed.connect(self._status_bar.show_problem)

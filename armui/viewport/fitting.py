@@ -43,24 +43,20 @@ class Room:
     Attributes:
         width_px, height_px: The size of the whole picture.
         figures: The box covered by the figures at the top left.
-        corner: The box covered by the buttons at the bottom right.
         strip_px: The width of the buttons along the right edge.
     """
 
     width_px: float
     height_px: float
     figures: Box = Box(0.0, 0.0, 0.0, 0.0)
-    corner: Box = Box(0.0, 0.0, 0.0, 0.0)
     strip_px: float = 0.0
 
     def with_air(self) -> Room:
-        """Return the room with a margin around figures and buttons for small moves."""
-        figures, corner = self.figures, self.corner
+        """Return the room with a margin around the figures for small moves."""
+        figures = self.figures
         if figures.right > 0.0:
             figures = Box(0.0, 0.0, figures.right + _AIR_PX, figures.bottom + _AIR_PX)
-        if corner.top > 0.0:
-            corner = replace(corner, left=corner.left - _AIR_PX, top=corner.top - _AIR_PX)
-        return replace(self, figures=figures, corner=corner)
+        return replace(self, figures=figures)
 
     @property
     def inside(self) -> Box:
@@ -74,7 +70,7 @@ class Room:
 
 
 def is_clear(camera: OrbitCamera, groups: Groups, room: Room, slack_px: float = 0.0) -> bool:
-    """Return whether all points are in the picture, and none behind figures or buttons.
+    """Return whether all points are in the picture, and none behind figures.
 
     Args:
         camera: The camera.
@@ -102,7 +98,7 @@ def ball_around(places: Sequence[Vector]) -> Ball:
 
 
 def is_ball_clear(projection: Projection, ball: Ball, room: Room, slack_px: float) -> bool:
-    """Return whether a ball is in the picture, not behind figures or buttons; if unsure, false."""
+    """Return whether a ball is in the picture, not behind figures; if unsure, false."""
     across, up, towards = projection.relative(ball.centre)
     scale_px = projection.scale_px(towards)
     nearest_px = projection.scale_px(towards + ball.radius_m)
@@ -126,7 +122,6 @@ def _is_free(box: Box | None, room: Room, slack_px: float) -> bool:
         or box.right > inside.right + slack_px
         or box.bottom > inside.bottom + slack_px
         or box.overlaps(room.figures)
-        or box.overlaps(room.corner)
     )
 
 
@@ -179,10 +174,9 @@ def _free_boxes(room: Room) -> Iterable[Box]:
     shares = (0.0, 0.5, 1.0)
     lefts = [max(inside.left, room.figures.right * share) for share in shares]
     tops = [max(inside.top, room.figures.bottom * share) for share in shares]
-    raised = inside.bottom if room.corner.top <= 0.0 else min(inside.bottom, room.corner.top)
-    for left, top, bottom in itertools.product(lefts, tops, (inside.bottom, raised)):
-        if inside.right - left >= _NARROWEST_PX and bottom - top >= _NARROWEST_PX:
-            yield Box(left, top, inside.right, bottom)
+    for left, top in itertools.product(lefts, tops):
+        if inside.right - left >= _NARROWEST_PX and inside.bottom - top >= _NARROWEST_PX:
+            yield Box(left, top, inside.right, inside.bottom)
     yield Box(inside.left, inside.top, max(inside.right, inside.left + 1.0), inside.bottom + 1.0)
 
 

@@ -142,7 +142,7 @@ class ArmView(QWidget):
         self._is_shut_down = False
         self._viewpoint = Viewpoint()
         self._shape: RobotShape | None = None
-        self._corner_px, self._strip_px = (0.0, 0.0), 0.0
+        self._strip_px = 0.0
         self._drag = Drag()
         self._pick_serial = 0
         self._tool = IDENTITY
@@ -403,18 +403,12 @@ class ArmView(QWidget):
             self._viewpoint.set_orthographic(wanted=wanted)
             self._take_camera()
 
-    def set_covered(self, corner_px: tuple[float, float], strip_px: float) -> None:
-        """Set the areas covered by buttons, so that the arm is shown beside them.
-
-        Args:
-            corner_px: Width and height of the buttons at the bottom right.
-            strip_px: Width of the buttons along the right edge.
-        """
-        if (corner_px, strip_px) == (self._corner_px, self._strip_px):
-            return
-        self._corner_px, self._strip_px = corner_px, strip_px
-        self._resized()
-        self._show(self._state)
+    def set_covered(self, strip_px: float) -> None:
+        """Set the width of the buttons along the right edge: the arm is shown beside them."""
+        if strip_px != self._strip_px:
+            self._strip_px = strip_px
+            self._resized()
+            self._show(self._state)
 
     @property
     def room(self) -> Room:
@@ -429,11 +423,7 @@ class ArmView(QWidget):
         frame = self._hud_painter.frame(self.font())
         figures = Box(0.0, 0.0, frame.right(), frame.bottom())
         self._take_arm(self._state)
-        width, height = float(self.width()), float(self.height())
-        corner = Box(0.0, 0.0, 0.0, 0.0)
-        if any(self._corner_px):
-            corner = Box(width - self._corner_px[0], height - self._corner_px[1], width, height)
-        room = Room(width, height, figures, corner, self._strip_px)
+        room = Room(float(self.width()), float(self.height()), figures, self._strip_px)
         self._viewpoint.set_room(room)
         self._state = replace(self._state, camera=self._viewpoint.camera)
 

@@ -7594,6 +7594,33 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>MenuFoot</name>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
+    </message>
+    <message>
+        <source>How to use the 3D view</source>
+        <translation>3D 区域的使用方法</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>视角还原</translation>
+    </message>
+    <message>
+        <source>Restores the initial view</source>
+        <translation>还原最初的 3D 显示视角</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Language, theme, jog step, 3D model</source>
+        <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+</context>
+<context>
     <name>ModelChoice</name>
     <message>
         <source>The simulated arm is this model.</source>
@@ -15634,33 +15661,6 @@ Before: {before}</source>
     <message>
         <source>Shows the planes and boxes of the cell&apos;s work area; those near the arm are lit</source>
         <translation>显示单元工作区的平面和长方体；靠近机械臂的会亮起</translation>
-    </message>
-</context>
-<context>
-    <name>ViewRegion</name>
-    <message>
-        <source>Help</source>
-        <translation>使用帮助</translation>
-    </message>
-    <message>
-        <source>How to use the 3D view</source>
-        <translation>3D 区域的使用方法</translation>
-    </message>
-    <message>
-        <source>Reset view</source>
-        <translation>视角还原</translation>
-    </message>
-    <message>
-        <source>Restores the initial view</source>
-        <translation>还原最初的 3D 显示视角</translation>
-    </message>
-    <message>
-        <source>Settings</source>
-        <translation>设置</translation>
-    </message>
-    <message>
-        <source>Language, theme, jog step, 3D model</source>
-        <translation>语言、主题、点动步长、3D 模型</translation>
     </message>
 </context>
 <context>

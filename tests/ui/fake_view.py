@@ -105,5 +105,5 @@ class FakeView(QWidget):
     def set_trail(self, trail: Any) -> None:
         self.trail = trail
 
-    def set_covered(self, corner: Any, strip_px: float) -> None:
-        self.covered = (corner, strip_px)
+    def set_covered(self, strip_px: float) -> None:
+        self.covered = strip_px

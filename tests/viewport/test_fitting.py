@@ -32,8 +32,7 @@ def shape():
 
 def room_of(size):
     width, height = size
-    corner = Box(width - 300.0, height - 60.0, width, height) if width > 600 else Box(0, 0, 0, 0)
-    return Room(width, height, FIGURES, corner, 44.0)
+    return Room(width, height, FIGURES, 44.0)
 
 
 def extent(camera, groups, room):
@@ -63,7 +62,7 @@ def test_the_whole_arm_is_in_the_room_and_touches_its_edge(
         min(inside.right - inside.left, inside.right - FIGURES.right) - (box.right - box.left),
         min(inside.bottom - inside.top, inside.bottom - FIGURES.bottom) - (box.bottom - box.top),
     )
-    assert min(left_over) < 82.0  # the height of the buttons at the lower right, and some air
+    assert min(left_over) < 12.0  # some air
 
 
 def test_half_of_the_picture_and_more_is_the_arm_s(shape):

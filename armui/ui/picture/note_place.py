@@ -16,32 +16,27 @@ _RIM_PX = 14.0
 def note_places(room: Room, width_px: float, height_px: float) -> list[Box]:
     """Return the places for a note, the usual one first; those with too little room are left out.
 
-    At the bottom beside the buttons, at the top beside the figures, under the figures, above the
-    buttons.
+    At the bottom, at the top beside the figures, under the figures, at the bottom beside the strip.
 
     Args:
         room: The picture and what lies over it.
         width_px: Of the note.
         height_px: Likewise.
     """
-    figures, corner = room.figures, room.corner
-    lower = corner.top if corner.top > 0.0 else room.height_px
+    figures = room.figures
     right = room.width_px - room.strip_px - width_px - _RIM_PX
     bottom = room.height_px - _RIM_PX - height_px
     corners = [
         (_RIM_PX, bottom),
         (right, _RIM_PX),
         (_RIM_PX, max(figures.bottom, _RIM_PX)),
-        (right, lower - height_px),
+        (right, bottom),
     ]
     places = [Box(left, top, left + width_px, top + height_px) for left, top in corners]
     free = [
         each
         for each in places
-        if each.left >= 0.0
-        and each.top >= 0.0
-        and not each.overlaps(figures)
-        and not each.overlaps(corner)
+        if each.left >= 0.0 and each.top >= 0.0 and not each.overlaps(figures)
     ]
     return free or places[:1]
 

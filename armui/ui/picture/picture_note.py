@@ -29,7 +29,7 @@ _LOOK_MS: Final = 250
 """So often a note that is seen looks where the arm is now."""
 _WIDEST_PX: Final = 420
 _NARROW_PX: Final = 240
-"""The width of a line beside the buttons at the lower right."""
+"""The width of a short line."""
 _NOTE_RIM_PX: Final = 11
 
 

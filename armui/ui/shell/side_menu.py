@@ -16,11 +16,12 @@ from armui.arm.joint_status import StatusVerdict
 from armui.arm.limits import JOINTS
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import icons, painting, state_mark
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import STRETCH, CardArea, in_column
+from armui.ui.widgets.layouts import STRETCH, CardArea, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.tips import keep_in_sight
@@ -43,6 +44,8 @@ _TEXT_LEFT_PX: Final = 12 + 2 * _MARK_PX + 10
 _TEXT_RIGHT_PX: Final = 8
 
 _FOLD_PX: Final = 10
+_SMALL: Final = 0.8
+"""The texts at the foot, of the size of the others: all three fit into the width."""
 _AROUND_PX: Final = 14
 """Above and below the menu, and between its two parts."""
 _HEADINGS: Final = Texts("SideMenu") | {
@@ -217,6 +220,58 @@ class LibraryButton(Translated, QToolButton):
         self.setIcon(icons.icon(*icon))
 
 
+def _foot_button(name: str) -> QToolButton:
+    button = named(name, QToolButton())
+    button.setProperty("foot", True)
+    button.setFont(scaled_font(button, _SMALL))
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+    button.setIconSize(QSize(_ICON_PX, _ICON_PX))
+    return button
+
+
+class MenuFoot(HasActs, Translated, QWidget):
+    """使用帮助, 视角还原 and 设置 (manual 1.0.8) at the foot of the menu: nothing moves them."""
+
+    help = Act(
+        "Help",
+        named="help_button",
+        key="view.help",
+        title=Text("HelpPage", "Help: 3D view"),
+        tip="How to use the 3D view",
+        kind=_foot_button,
+    )
+    reset_view = Act(
+        "Reset view",
+        named="reset_view_button",
+        key="window.reset_view",
+        tip="Restores the initial view",
+        kind=_foot_button,
+    )
+    settings = Act(
+        "Settings",
+        named="settings_button",
+        key="window.settings",
+        tip="Language, theme, jog step, 3D model",
+        synonyms=also("preferences options configuration 选项 首选项 配置"),
+        kind=_foot_button,
+    )
+
+    def __init__(self) -> None:
+        super().__init__()
+        in_row(self.help, self.reset_view, self.settings, on=self, spacing=0, margins=0)
+        self.retranslate_ui()
+        self._recolor()
+
+    def retranslate_ui(self) -> None:
+        """Set the texts in the operator's language."""
+        self.show_acts()
+
+    def _recolor(self) -> None:
+        for act in self.acts:
+            icon = act.named.removesuffix("_button")
+            act.button(self).setIcon(icons.icon(icon, colors_of(self).muted))
+
+
 class MenuGroup(enum.Enum):
     """The headings over the panels, in their order."""
 
@@ -287,6 +342,7 @@ class SideMenu(Translated, QWidget):
         library: Opens the library.
         watch: Opens what is watched.
         joint_status: Shows the state of the joints, always visible (manual 1.0.10).
+        foot: Stands at the foot, whatever is above.
         folded: True or False as the operator left the group of the settings; None to fit.
 
     Signals:
@@ -305,6 +361,7 @@ class SideMenu(Translated, QWidget):
         library: QWidget,
         watch: QWidget,
         joint_status: QWidget,
+        foot: QWidget,
         folded: bool | None = None,
     ) -> None:
         super().__init__()
@@ -339,6 +396,8 @@ class SideMenu(Translated, QWidget):
         margins = (8, 6, 8, 6)
         layout = in_column((area, 1), self._below, on=self, spacing=_GAP_PX, margins=margins)
         layout.addStretch(0)  # for the room that is left where nothing scrolls
+        layout.addWidget(foot)
+        self._foot = foot
         self._fold.clicked.connect(self._on_folded)
         self.retranslate_ui()
         self.choose(0)
@@ -415,7 +474,8 @@ class SideMenu(Translated, QWidget):
             whole_px = self._column.sizeHint().height()
             if not self._fold.isChecked():
                 whole_px += self._settings.sizeHint().height() + _GAP_PX
-            room_px = self.height() - self._below.sizeHint().height() - _AROUND_PX
+            below_px = self._below.sizeHint().height() + self._foot.sizeHint().height()
+            room_px = self.height() - below_px - _AROUND_PX
             self._show_group(shown=whole_px <= room_px)
 
     def _scrolled(self, column: QWidget) -> QScrollArea:

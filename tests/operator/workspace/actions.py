@@ -30,7 +30,7 @@ class Pages:
     @property
     def view(self):
         """The 3D picture's region."""
-        return self.driver.find("reset_view_button").parentWidget()
+        return self.driver.find("view_region")
 
     def open_library(self):
         self.driver.click("library_button")

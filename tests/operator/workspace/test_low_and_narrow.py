@@ -109,18 +109,35 @@ def test_every_joint_is_in_sight_in_a_low_window_and_above_the_legend_of_the_key
     assert card.verticalScrollBar().maximum() == 0
 
 
-@pytest.mark.parametrize("size", [(1280, 800), (1280, 740), (1024, 720)])
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_no_button_over_a_low_picture_lies_over_another(pages, size, language):
+def test_help_view_and_settings_stay_in_their_place_whatever_opens(pages, language):
     pages.driver.store.change(language=language)
-    pages.driver.program.view.setVisible(True)
-    pages.driver.window.resize(*size)
+    names = ("help_button", "reset_view_button", "settings_button")
+    picture = pages.driver.find("view_region")
+
+    def places():
+        for _ in range(5):
+            QCoreApplication.processEvents()
+        buttons = [pages.driver.find(name) for name in names]
+        assert all(button.isVisible() for button in buttons)
+        rects = [rect_in_window(button) for button in buttons]
+        assert not any(rect.intersects(rect_in_window(picture)) for rect in rects)
+        assert all(each.width() >= each.sizeHint().width() for each in buttons)
+        return rects
+
+    first, width, height = places(), picture.width(), picture.height()
     pages.driver.click("events_button")
-    for _ in range(5):
-        QCoreApplication.processEvents()
-    over = ("help_button", "reset_view_button", "settings_button")
-    strip = rect_in_window(pages.driver.find("view_bar"))
-    assert not any(strip.intersects(rect_in_window(pages.driver.find(each))) for each in over)
+    assert places() == first
+    low = picture.height()
+    assert low < height
+    pages.driver.find("work_column").setSizes([200, 400])
+    assert places() == first
+    assert picture.height() != low
+    pages.open_library()
+    assert places() == first
+    assert picture.width() != width
+    pages.driver.click("drawer_fold")
+    assert places() == first
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
