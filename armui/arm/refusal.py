@@ -47,7 +47,7 @@ class Refusal:
 
     reason: Reason
     params: Mapping[str, float | int | str] = field(default_factory=dict)
-    contact: Contact | None = field(default=None, compare=False)
+    contact: Contact | None = field(default=None, compare=False, repr=False)
 
     @property
     def code(self) -> str:

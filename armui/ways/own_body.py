@@ -157,10 +157,10 @@ class OwnBody:
         radius_mm = float(self._moved.radii_mm[capsule])
         place = place_between(self._rods, ends[nearest], radius_mm, rod)
         x, y, z = (frame[:3, :3] @ place + frame[:3, 3]).tolist()
-        moving = self._moved.links[capsule]
-        if self._moved.parts[capsule] == "gripper":  # its fingers lie in the axis of joint 6
-            moving = JOINT_COUNT
-        return Contact(tuple(joints_deg), (self._rods.links[rod], moving), (x, y, z))
+        # the fingers lie in the axis of joint 6, and so are told of link 5
+        is_hand = self._moved.parts[capsule] == "gripper"
+        both = self._rods.links[rod], JOINT_COUNT if is_hand else self._moved.links[capsule]
+        return Contact(tuple(joints_deg), both, (x, y, z))
 
     def breach(
         self,

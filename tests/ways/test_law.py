@@ -1,5 +1,7 @@
 """S36: who is outside may only stay or come back; what is tolerated for noise is granted once."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -55,6 +57,15 @@ def at(angle):
 def go(marks, *angles, wall=None):
     way = Way(np.array([at(angle) for angle in angles]))
     return judge(way, [wall or Wall()], marks)
+
+
+def test_a_refusal_knows_where_and_counts_as_the_same_elsewhere():
+    one, other = (go({}, 0.0, angle).refusal for angle in (12.0, 12.4))
+    assert one.contact.joints_deg == pytest.approx(at(12.0))
+    assert one.contact != other.contact
+    one, other = (replace(each, params={}) for each in (one, other))
+    assert one == other
+    assert repr(one) == repr(other), "by which the log of events counts what repeats"
 
 
 @pytest.mark.parametrize(

@@ -229,8 +229,7 @@ class RobotActors:
             finding: the finding whose links have its own colour instead, as in `Preview`.
         """
         self._touching = frozenset(() if finding is None else finding.touching)
-        is_error = finding is not None and finding.is_error
-        of_finding = palette.fault if is_error else palette.warning
+        of_finding = palette.fault if finding is None or finding.is_error else palette.warning
         for link, actor, _ in self._parts:
             actor.PickableOff()
             look = actor.GetProperty()

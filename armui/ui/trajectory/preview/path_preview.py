@@ -223,6 +223,5 @@ def _with_sign(path: PathPicture | None, finding: FindingMark) -> PathPicture:
     """Return a path, or none, with the sign of a finding alone."""
     import numpy as np  # noqa: PLC0415 - the rules that find it have loaded it
 
-    nowhere = np.empty((0, 3))
-    path = path or PathPicture(nowhere, np.empty(0), nowhere, ())
+    path = path or PathPicture(np.empty((0, 3)), np.empty(0), np.empty((0, 3)), ())
     return replace(path, findings=(finding,))
