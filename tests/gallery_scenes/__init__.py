@@ -40,6 +40,7 @@ WINDOW_SCENES = (
     Scene("view-below", picture.below),
     Scene("target-typed", picture.typed),
     Scene("target-out-of-reach", picture.typed_out_of_reach),
+    Scene("target-refused", picture.refused),
     Scene("dragging", picture.dragging),
     Scene("dragging-joints", picture.dragging_joints),
     Scene("dragging-refused", picture.out_of_reach),

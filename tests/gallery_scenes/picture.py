@@ -74,6 +74,15 @@ def trail(app_driver: AppDriver) -> None:
     app_driver.run(0.5)
 
 
+def refused(app_driver: AppDriver) -> None:
+    """A typed target is refused: the ghost stands where the gripper would hit the base."""
+    arm.reached_out(app_driver)
+    for joint, angle_deg in enumerate((-12.0, 83.0, -3.0, 32.0, 40.0, 70.0), start=1):
+        app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
+    app_driver.click("send_button")
+    app_driver.run(0.5)
+
+
 def dragging(app_driver: AppDriver) -> None:
     """A target is dragged with the handles at the tool; the arm stays where it is."""
     arm.reached_out(app_driver)
