@@ -139,12 +139,10 @@ class Settings:
     ] = None
     """The lowest height of the fingertip over the base plane; ``None`` for any."""
 
-    session_folder: Annotated[str | None, Setting("Folder of the session recordings", is_path)] = (
-        None
-    )
+    session_folder: Annotated[str | None, Setting("Folder of the logs", is_path)] = None
     """The folder for recordings of sessions; ``None`` for the user's folder for data."""
 
-    session_format: Annotated[SessionFormat, Setting("Format of the session recordings")] = ".blf"
+    session_format: Annotated[SessionFormat, Setting("Format of the logs")] = ".blf"
     """The suffix of their files."""
 
     session_rotate_mb: Annotated[int, Setting("Size at which a new file is begun", ROTATE_MB)] = 100

@@ -226,8 +226,8 @@
         <translation>旧版本</translation>
     </message>
     <message>
-        <source>Files of {before} were taken over by {version} on {day}: settings {settings}, trajectories {trajectories}, session recordings {sessions}.</source>
-        <translation>{version} 于 {day} 接管了 {before} 的文件：设置{settings}，轨迹 {trajectories} 个，会话记录文件 {sessions} 个。</translation>
+        <source>Files of {before} were taken over by {version} on {day}: settings {settings}, trajectories {trajectories}, logs {sessions}.</source>
+        <translation>{version} 于 {day} 接管了 {before} 的文件：设置{settings}，轨迹 {trajectories} 个，日志 {sessions} 份。</translation>
     </message>
     <message>
         <source>yes</source>
@@ -257,12 +257,12 @@
         <translation>关节状态</translation>
     </message>
     <message>
-        <source>Replay a recording</source>
-        <translation>回放会话记录</translation>
+        <source>Replay a log</source>
+        <translation>回放日志</translation>
     </message>
     <message>
-        <source>Export a recording</source>
-        <translation>导出会话记录</translation>
+        <source>Export a log</source>
+        <translation>导出日志</translation>
     </message>
     <message>
         <source>Back up, compare, restore parameters</source>
@@ -333,8 +333,8 @@
         <translation>现在没有可执行的内容。</translation>
     </message>
     <message>
-        <source>Folder of the recordings</source>
-        <translation>会话记录的文件夹</translation>
+        <source>Folder of the logs</source>
+        <translation>日志的文件夹</translation>
     </message>
     <message>
         <source>Model of the arm</source>
@@ -4210,8 +4210,8 @@
 <context>
     <name>ExportDialog</name>
     <message>
-        <source>Export a recording</source>
-        <translation>导出记录</translation>
+        <source>Export a log</source>
+        <translation>导出日志</translation>
     </message>
     <message>
         <source>Export</source>
@@ -8680,16 +8680,16 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>手动发送：{frame}。按其他程序的指令处理。</translation>
     </message>
     <message>
-        <source>Recording the session: {name}</source>
-        <translation>正在记录会话：{name}</translation>
+        <source>Log begun: {name}</source>
+        <translation>开始写日志：{name}</translation>
     </message>
     <message>
-        <source>Session recorded: {name}, {frames} frames, {size} MB</source>
-        <translation>会话已记录：{name}，{frames} 帧，{size} MB</translation>
+        <source>Log written: {name}, {frames} frames, {size} MB</source>
+        <translation>日志已写入：{name}，{frames} 帧，{size} MB</translation>
     </message>
     <message>
-        <source>Recording the session has ended: {reason}</source>
-        <translation>会话记录已中断：{reason}</translation>
+        <source>The log has ended: {reason}</source>
+        <translation>日志已中断：{reason}</translation>
     </message>
     <message>
         <source>{count} frames are missing in the recording: the disk is too slow</source>
@@ -10353,8 +10353,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>RecordingCard</name>
     <message>
-        <source>Record to the disk</source>
-        <translation>记录到磁盘</translation>
+        <source>Log to the disk</source>
+        <translation>日志写入磁盘</translation>
     </message>
     <message>
         <source>Format</source>
@@ -10377,8 +10377,8 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>文件达到此大小后，另起一个新文件。</translation>
     </message>
     <message>
-        <source>Not recording</source>
-        <translation>未在记录</translation>
+        <source>Not logging</source>
+        <translation>未在写日志</translation>
     </message>
     <message>
         <source>The last minutes are kept in memory anyway.</source>
@@ -10398,30 +10398,30 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Stop log</source>
-        <translation>停止记录</translation>
+        <translation>停止日志</translation>
     </message>
     <message>
         <source>Start log</source>
-        <translation>开始记录</translation>
+        <translation>开始日志</translation>
     </message>
     <message>
-        <source>Folder of the session recordings</source>
-        <translation>会话记录的文件夹</translation>
+        <source>Folder of the logs</source>
+        <translation>日志的文件夹</translation>
     </message>
 </context>
 <context>
     <name>RecordingMark</name>
     <message>
-        <source>Recording of the session</source>
-        <translation>会话记录</translation>
+        <source>Log being written</source>
+        <translation>正在写日志</translation>
     </message>
     <message>
-        <source>The session is being recorded. Click for the recordings.</source>
-        <translation>正在记录会话。单击查看会话记录。</translation>
+        <source>A log is being written. Click for the logs.</source>
+        <translation>正在写日志。单击查看日志。</translation>
     </message>
     <message>
-        <source>Recording, {length}</source>
-        <translation>正在记录，{length}</translation>
+        <source>Log being written, {length}</source>
+        <translation>正在写日志，{length}</translation>
     </message>
 </context>
 <context>
@@ -12251,12 +12251,12 @@ The other program must have ended.</source>
         <translation>该帧会对机械臂起作用：请按住按钮 1 秒再发送。</translation>
     </message>
     <message>
-        <source>The session is being recorded already. Stop that recording first.</source>
-        <translation>会话已在记录中。请先停止当前记录。</translation>
+        <source>A log is being written already. Stop it first.</source>
+        <translation>日志已在写入中。请先停止日志。</translation>
     </message>
     <message>
-        <source>The session is not being recorded: there is nothing to stop.</source>
-        <translation>当前没有在记录会话，无需停止。</translation>
+        <source>No log is being written: there is nothing to stop.</source>
+        <translation>当前没有在写日志，无需停止。</translation>
     </message>
     <message>
         <source>MF4 needs the package asammdf (pip install asammdf).</source>
@@ -12319,8 +12319,8 @@ The other program must have ended.</source>
         <translation>{folder} 所在的磁盘已满。此前写入的内容可以读取。请清理磁盘空间或选择其他文件夹，然后重新记录。</translation>
     </message>
     <message>
-        <source>The folder {folder} cannot be written. Choose another folder for the session recordings, or allow this one to be written.</source>
-        <translation>文件夹 {folder} 无法写入。请为会话记录选择其他文件夹，或允许写入此文件夹。</translation>
+        <source>The folder {folder} cannot be written. Choose another folder for the logs, or allow this one to be written.</source>
+        <translation>文件夹 {folder} 无法写入。请为日志选择其他文件夹，或允许写入此文件夹。</translation>
     </message>
     <message>
         <source>The folder {folder}, or its disk, is gone. Plug it in again or choose another folder, then record again.</source>
@@ -12911,8 +12911,8 @@ The other program must have ended.</source>
         <translation>发生故障或急停时自动保存</translation>
     </message>
     <message>
-        <source>A few seconds after a fault or a stop, the last minutes are saved as a recording. Faults that follow one another are saved together.</source>
-        <translation>发生故障或急停几秒后，最近几分钟的内容会自动保存为一条记录。接连发生的故障合并保存。</translation>
+        <source>A few seconds after a fault or a stop, the last minutes are saved as a log. Faults that follow one another are saved together.</source>
+        <translation>发生故障或急停几秒后，最近几分钟的内容会自动保存为一份日志。接连发生的故障合并保存。</translation>
     </message>
     <message>
         <source>Saving…</source>
@@ -13316,8 +13316,8 @@ The other program must have ended.</source>
 <context>
     <name>SessionsPage</name>
     <message>
-        <source>Session recordings</source>
-        <translation>会话记录</translation>
+        <source>Log</source>
+        <translation>日志</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -13352,20 +13352,20 @@ The other program must have ended.</source>
         <translation>删除</translation>
     </message>
     <message>
-        <source>Moves the recording into the folder “deleted” beside the others.</source>
-        <translation>将记录移到同一位置的“deleted”文件夹中。</translation>
+        <source>Moves the log into the folder “deleted” beside the others.</source>
+        <translation>将日志移到同一位置的“deleted”文件夹中。</translation>
     </message>
     <message>
         <source>Show in the file manager</source>
         <translation>在文件管理器中显示</translation>
     </message>
     <message>
-        <source>No recordings yet. Record a session, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
-        <translation>还没有会话记录。可以记录会话，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
+        <source>No logs yet. Start a log, or save what just happened: both can be replayed here and opened in other CAN tools.</source>
+        <translation>还没有日志。可以开始写日志，或保存刚才发生的事：两者都能在此回放，也能用其他 CAN 工具打开。</translation>
     </message>
     <message>
-        <source>Choose one recording in the list first.</source>
-        <translation>请先在列表中选择一条记录。</translation>
+        <source>Choose one log in the list first.</source>
+        <translation>请先在列表中选择一份日志。</translation>
     </message>
     <message>
         <source>Moved to {folder}. It can be moved back from there.</source>
@@ -13419,16 +13419,16 @@ The other program must have ended.</source>
         <translation>高于地面：机械臂所在的平面，或单元“底座”中给出的房间地面。0 mm 即地面，负值在其下。所有运动都遵守：点动、步进、单次运动、轨迹和回放。已低于它的机械臂只能向上。</translation>
     </message>
     <message>
-        <source>Folder of the session recordings</source>
-        <translation>会话记录的文件夹</translation>
+        <source>Folder of the logs</source>
+        <translation>日志的文件夹</translation>
     </message>
     <message>
-        <source>Format of the session recordings</source>
-        <translation>会话记录的格式</translation>
+        <source>Format of the logs</source>
+        <translation>日志的格式</translation>
     </message>
     <message>
         <source>Size at which a new file is begun</source>
-        <translation>会话记录的分卷大小</translation>
+        <translation>日志的分卷大小</translation>
     </message>
     <message>
         <source>Saving at faults and stops</source>

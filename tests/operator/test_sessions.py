@@ -67,7 +67,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     driver, window = sessions.driver, sessions.window
     assert driver.window.findChild(QWidget, "recording_mark") is None
     height = driver.find("status_bar").height()
-    assert window.recording.state_label.text() == "Not recording"
+    assert window.recording.state_label.text() == "Not logging"
 
     driver.click(window.recording.record_button)
     mark = driver.find("recording_mark")
@@ -85,7 +85,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     sessions.until(lambda: sessions.column(SessionColumn.STATE) == ["complete"])
     assert not mark.isVisible()
     assert sessions.column(SessionColumn.KIND) == ["recorded"]
-    assert "Session recorded" in sessions.said()
+    assert "Log written" in sessions.said()
     assert sessions.column(SessionColumn.LENGTH) == ["0:03"]
 
 
@@ -147,7 +147,7 @@ def test_what_is_being_written_can_be_opened_but_not_moved(sessions):
     sessions.until(lambda: sessions.recorder.progress().frames > 0)
     window.refresh()
     window.table.clearSelection()
-    assert "Choose one recording" in window.open_button.toolTip()
+    assert "Choose one log" in window.open_button.toolTip()
     window.table.selectRow(0)
     assert sessions.column(SessionColumn.STATE) == ["under way"]
     assert window.rename_button.toolTip() == window.delete_button.toolTip() == "under way"

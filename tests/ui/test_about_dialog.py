@@ -45,7 +45,7 @@ def test_it_tells_what_was_taken_over(dialog, settings, tmp_path):
     dialog.open()
     said = words_of(dialog)
     assert "Files of an older version were taken over by 0.3.0 on " in said
-    assert "settings yes, trajectories 1, session recordings 0." in said
+    assert "settings yes, trajectories 1, logs 0." in said
 
 
 def test_texts_that_were_not_installed_are_told(monkeypatch, dialog, tmp_path):

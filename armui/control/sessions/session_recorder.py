@@ -39,36 +39,30 @@ if TYPE_CHECKING:
     from armui.session.recording.writer import RecordingPlan
     from armui.telemetry.events import EventLog
 
-SESSION_RECORDED = Reason(
-    "session_recorded", "The session is being recorded already. Stop that recording first."
-)
+SESSION_RECORDED = Reason("session_recorded", "A log is being written already. Stop it first.")
 SESSION_NAME_BAD = Reason(
     "session_name_bad",
     '“{name}” cannot be the name of a recording. Leave out / \\ : * ? " < > | and a dot at '
     "the beginning or the end; 120 characters at most.",
 )
-SESSION_NONE = Reason(
-    "session_none", "The session is not being recorded: there is nothing to stop."
-)
+SESSION_NONE = Reason("session_none", "No log is being written: there is nothing to stop.")
 SESSION_SAVING = Reason(
     "session_saving", "The last minutes are being saved already. Wait a moment."
 )
 SESSION_RING_EMPTY = Reason(
     "session_ring_empty", "Nothing has been heard on the bus yet: there is nothing to save."
 )
-SESSION_STARTED = Notice(
-    "session_started", "Recording the session: {name}", Level.INFO, EventKind.COMMAND
-)
+SESSION_STARTED = Notice("session_started", "Log begun: {name}", Level.INFO, EventKind.COMMAND)
 SESSION_ENDED = Notice(
     "session_ended",
-    "Session recorded: {name}, {frames} frames, {size} MB",
+    "Log written: {name}, {frames} frames, {size} MB",
     Level.DONE,
     EventKind.RESULT,
     Asker.PROGRAM,
 )
 SESSION_FAILED_NOTICE = Notice(
     "session_failed",
-    "Recording the session has ended: {reason}",
+    "The log has ended: {reason}",
     Level.WARNING,
     EventKind.RESULT,
     Asker.PROGRAM,

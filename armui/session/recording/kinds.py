@@ -25,7 +25,7 @@ SESSION_DISK_FULL = Reason(
 )
 SESSION_READ_ONLY = Reason(
     "session_read_only",
-    "The folder {folder} cannot be written. Choose another folder for the session recordings, "
+    "The folder {folder} cannot be written. Choose another folder for the logs, "
     "or allow this one to be written.",
 )
 SESSION_FOLDER_GONE = Reason(

@@ -122,7 +122,7 @@ class AboutDialog(ArmDialog):
         before = found.before or self.tr("an older version")
         said = self.tr(
             "Files of {before} were taken over by {version} on {day}: settings {settings}, "
-            "trajectories {trajectories}, session recordings {sessions}."
+            "trajectories {trajectories}, logs {sessions}."
         )
         yes, no = self.tr("yes"), self.tr("no")
         return said.format(

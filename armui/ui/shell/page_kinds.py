@@ -71,7 +71,7 @@ def bus_page() -> type[BusPage]:
 
 
 def sessions_page() -> type[SessionsPage]:
-    """Return the class of the page 会话记录."""
+    """Return the class of the page 日志."""
     from armui.ui.watch.recordings.sessions_page import SessionsPage  # noqa: PLC0415 - for its page
 
     return SessionsPage

@@ -173,13 +173,12 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
                         synonyms=also("can frames monitor sniffer 报文 帧")),
         beside_menu=True),
     "sessions": PageEntry(
-        Text("SessionsPage", "Session recordings"), Home.DRAWER, sessions_page, _new_sessions,
+        Text("WatchMenu", "Log"), Home.DRAWER, sessions_page, _new_sessions,
         Text("WatchMenu",
              "Record everything on the bus, save what just happened, replay what was recorded, "
              "here or by another program."),
-        short_title=Text("WatchMenu", "Log"),
-        command=Command("sessions.open", Text("SessionsPage", "Session recordings"),
-                        synonyms=also("logs history 日志 录制")),
+        command=Command("sessions.open", Text("WatchMenu", "Log"),
+                        synonyms=also("logs history session recordings 会话 记录 录制")),
         beside_menu=True),
     "joint_status": PageEntry(
         Text("JointStatusPage", "Joint status"), Home.DRAWER, joint_status_page,
@@ -199,12 +198,12 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         short_title=Text("WatchMenu", "Help")),
     "replay": PageEntry(
         Text("Place", "Replay"), Home.WINDOW, replay_window, _new_replay,
-        command=Command("replay.open", Text("Action", "Replay a recording"),
+        command=Command("replay.open", Text("Action", "Replay a log"),
                         synonyms=also("playback play log 播放"))),
     "export": PageEntry(
-        Text("Action", "Export a recording"), Home.WINDOW, export_dialog,
+        Text("Action", "Export a log"), Home.WINDOW, export_dialog,
         lambda it: export_dialog()(it.controller, it.window),
-        command=Command("window.export", Text("Action", "Export a recording"),
+        command=Command("window.export", Text("Action", "Export a log"),
                         synonyms=also("csv mcap parquet rosbag 导出"))),
     "backup": PageEntry(
         Text("Action", "Back up, compare, restore parameters"), Home.WINDOW, backup_dialog,

@@ -471,7 +471,7 @@ class ExportDialog(ArmDialog):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.set_title(self.tr("Export a recording"))
+        self.set_title(self.tr("Export a log"))
         self._refresh()
 
     # What the operator does -------------------------------------------------------------------

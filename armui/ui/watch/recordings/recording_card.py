@@ -115,7 +115,7 @@ class RingCard(HasActs, Translated, QFrame):
         self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
         self.at_faults_box.setToolTip(
             self.tr(
-                "A few seconds after a fault or a stop, the last minutes are saved as a recording. "
+                "A few seconds after a fault or a stop, the last minutes are saved as a log. "
                 "Faults that follow one another are saved together."
             )
         )
@@ -177,7 +177,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         "Choose…",
         named="session_choose_folder",
         key="sessions.folder",
-        title=Text("Action", "Folder of the recordings"),
+        title=Text("Action", "Folder of the logs"),
     )
 
     def __init__(self, controller: ArmController, store: SettingsStore) -> None:
@@ -227,7 +227,7 @@ class RecordingCard(HasActs, Translated, QFrame):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.setAccessibleName(self.tr("Record to the disk"))
+        self.setAccessibleName(self.tr("Log to the disk"))
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
         self._folder_label.setText(self.tr("Folder"))
@@ -255,7 +255,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         self.show_acts()
         if progress is None:
             self._before, self._rate = None, 0.0
-            self.state_label.show_text(self.tr("Not recording"))
+            self.state_label.show_text(self.tr("Not logging"))
             self.figures_label.setText(self.tr("The last minutes are kept in memory anyway."))
             return
         self.state_label.show_text(progress.name or self.tr("Opening the file…"))
@@ -284,10 +284,8 @@ class RecordingCard(HasActs, Translated, QFrame):
         return f" {text}"
 
     def _show_icon(self, *, recording: bool) -> None:
-        colors = colors_of(self)
         name = "stop_recording" if recording else "record"
-        color = colors.text if recording else colors.stop_ink
-        self.record_button.setIcon(icons.icon(name, color, _ICON_PX))
+        self.record_button.setIcon(icons.icon(name, colors_of(self).text, _ICON_PX))
 
     # What the operator does -------------------------------------------------------------------
 
@@ -310,7 +308,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         choose_folder(
             self._controller,
             self.window(),
-            title=self.tr("Folder of the session recordings"),
+            title=self.tr("Folder of the logs"),
             start=self._sessions.choices.folder,
             on_chosen=self._take_folder,
         )
@@ -345,12 +343,12 @@ class RecordingMark(Translated, QToolButton):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.setAccessibleName(self.tr("Recording of the session"))
-        self.setToolTip(self.tr("The session is being recorded. Click for the recordings."))
+        self.setAccessibleName(self.tr("Log being written"))
+        self.setToolTip(self.tr("A log is being written. Click for the logs."))
         self._show_time()
 
     def _recolor(self) -> None:
-        self.setIcon(icons.icon("record", colors_of(self).stop, _MARK_ICON_PX))
+        self.setIcon(icons.icon("record", colors_of(self).accent, _MARK_ICON_PX))
 
     def _on_changed(self) -> None:
         recording = self._sessions.recording
@@ -366,4 +364,4 @@ class RecordingMark(Translated, QToolButton):
         if progress is not None:
             text = length_text(progress.elapsed_s)
             self.setText(f" {text}")
-            self.setAccessibleName(self.tr("Recording, {length}").format(length=text))
+            self.setAccessibleName(self.tr("Log being written, {length}").format(length=text))

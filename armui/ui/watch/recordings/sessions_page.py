@@ -1,4 +1,4 @@
-"""The page 会话记录: records the session, saves the last minutes, lists the recordings."""
+"""The page 日志: writes a log, saves the last minutes, lists the logs."""
 
 from __future__ import annotations
 
@@ -304,7 +304,7 @@ class SessionsPage(Page):
     delete_button = Act(
         "Delete",
         named="session_delete",
-        tip="Moves the recording into the folder “deleted” beside the others.",
+        tip="Moves the log into the folder “deleted” beside the others.",
         key="sessions.delete",
     )
     other_button = Act(
@@ -373,12 +373,12 @@ class SessionsPage(Page):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.set_title(self.tr("Session recordings"))
-        self.table.setAccessibleName(self.tr("Session recordings"))
+        self.set_title(self.tr("Log"))
+        self.table.setAccessibleName(self.tr("Log"))
         self._hint.setText(
             self.tr(
-                "No recordings yet. Record a session, or save what just happened: both can be "
-                "replayed here and opened in other CAN tools."
+                "No logs yet. Start a log, or save what just happened: both can be replayed here "
+                "and opened in other CAN tools."
             )
         )
         self._model.retranslate()
@@ -464,7 +464,7 @@ class SessionsPage(Page):
     def _why_not(self, fits: Callable[[RecordingEntry], bool]) -> str:
         chosen = self.chosen()
         if len(chosen) != 1:
-            return self.tr("Choose one recording in the list first.")
+            return self.tr("Choose one log in the list first.")
         return "" if fits(chosen[0]) else self._model.state(chosen[0])
 
     @delete_button.why_not
