@@ -17,6 +17,7 @@ from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 
 _LEAST_PX: Final = 480
+_ASIDE_PX: Final = 16
 _ICON_PX: Final = 18
 
 
@@ -138,7 +139,8 @@ class PageArea(QWidget):
         self._open: list[Page] = []
         self._bar = PageBar()
         self._stack = PageStack()
-        in_column(self._bar, (self._stack, 1), on=self, spacing=10, margins=(16, 10, 16, 10))
+        margins = (_ASIDE_PX, 10, _ASIDE_PX, 10)
+        in_column(self._bar, (self._stack, 1), on=self, spacing=10, margins=margins)
         self._bar.back_wanted.connect(self._on_back)
         self._bar.page_wanted.connect(self._on_back)
         self._bar.take_out_wanted.connect(self._on_take_out)
@@ -152,6 +154,12 @@ class PageArea(QWidget):
     def current(self) -> Page | None:
         """The page that is visible, or would be if the area were."""
         return self._open[-1] if self._open else None
+
+    @property
+    def wanted_px(self) -> int:
+        """The width that the visible page would like; 0 if it has no wish."""
+        wanted = self._open[-1].wanted_px if self._open else 0
+        return wanted + 2 * _ASIDE_PX if wanted else 0
 
     def show_page(self, page: Page) -> None:
         """Show a page in front of the others; it stays until it is dropped."""

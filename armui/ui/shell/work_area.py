@@ -22,6 +22,8 @@ PANEL_PX: Final = 440
 PAGE_SHARE: Final = 0.6
 _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300
+_NARROW_VIEW_PX: Final = 390
+"""The picture beside a page whose table takes more than its share."""
 _LEAST_WORK_PX: Final = 260
 _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
 
@@ -98,10 +100,18 @@ class WorkArea(QSplitter):
         """Apply the widths, as far as there is room."""
         room = self.width() - self.handleWidth()
         _left, least = self._least()
-        wanted = round(self.page_share * room) if self.shows_pages else self.panel_px
-        width = max(least, min(wanted, room - self._view.minimumWidth()))
+        width = max(least, min(self._wanted(room), room - self._view.minimumWidth()))
         of_panels, of_pages = (0, width) if self.shows_pages else (width, 0)
         self.setSizes([of_panels, of_pages, max(0, room - width)])
+
+    def _wanted(self, room: int) -> int:
+        """Return the width left of the picture: at first a page's table may take more."""
+        if not self.shows_pages:
+            return self.panel_px
+        share = round(self.page_share * room)
+        if self.page_share != PAGE_SHARE:
+            return share
+        return max(share, min(self._pages.wanted_px, room - _NARROW_VIEW_PX))
 
     def _least(self) -> tuple[QWidget, int]:
         """Return what is left of the picture, and how wide it must be."""
@@ -113,7 +123,8 @@ class WorkArea(QSplitter):
         done = super().event(event)
         if event.type() == QEvent.Type.LayoutRequest:
             left, least = self._least()
-            if left.width() < min(least, self.width() - self._view.minimumWidth()):
+            room = self.width() - self.handleWidth()
+            if left.width() < min(max(least, self._wanted(room)), room - self._view.minimumWidth()):
                 self.fit()
         return done
 

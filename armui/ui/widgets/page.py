@@ -71,6 +71,11 @@ class Page(HasActs, Translated, QWidget):
         return ""
 
     @property
+    def wanted_px(self) -> int:
+        """The width at which its table shows every column; 0 if it has none that matters."""
+        return 0
+
+    @property
     def title(self) -> str:
         """The present title."""
         return self._title

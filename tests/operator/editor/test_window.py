@@ -247,6 +247,16 @@ def test_at_1440_every_column_is_in_sight(app_driver, language):
             assert across.sectionSize(column) >= editor.table.sizeHintForColumn(column), column
 
 
+def test_at_1440_every_column_is_in_sight_beside_an_arc(app_driver):
+    app_driver.window.resize(1440, 900)
+    middle = (320.0, 50.0, 250.0, 0.0, 85.0, 0.0)
+    arc = Waypoint(MoveMode.MOVE_C, (300.0, 100.0, 250.0, 0.0, 85.0, 0.0), middle=middle)
+    editor = Editor(app_driver, to(OUT), arc)
+    app_driver.run(0.1)
+    assert not editor.table.isColumnHidden(PointColumn.MIDDLE)
+    assert not editor.table.horizontalScrollBar().isVisible()
+
+
 def test_the_middle_pose_of_an_arc_is_not_cut(app_driver):
     middle = (320.0, -150.5, 250.0, -178.5, 85.0, -170.5)
     arc = Waypoint(MoveMode.MOVE_C, (300.0, 100.0, 250.0, 0.0, 85.0, 0.0), middle=middle)

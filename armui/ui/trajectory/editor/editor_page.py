@@ -207,6 +207,11 @@ class EditorPage(Page):
             self._actions["jog"].trigger()
         self.table.setFocus()
 
+    @property
+    def wanted_px(self) -> int:
+        """The width at which every column is in sight."""
+        return self.table.wanted_px
+
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {

@@ -357,7 +357,7 @@ def shown(point: Waypoint, column: PointColumn) -> str:
     if column in VALUES:
         return fmt.number(point.target[column - PointColumn.VALUE_1])
     if column is PointColumn.MIDDLE:
-        figures = [fmt.number(value, 1) for value in point.middle or ()]
+        figures = [fmt.number(value, 1).removesuffix(".0") for value in point.middle or ()]
         return "\n".join(filter(None, ("  ".join(figures[:3]), "  ".join(figures[3:]))))
     if column is PointColumn.SPEED:
         return f"{point.speed_percent} %"

@@ -34,13 +34,13 @@ _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
 _WIDTHS_PX: Final = {
     PointColumn.MOVE: 62,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 58),
-    PointColumn.MIDDLE: 126,
-    PointColumn.SPEED: 48,
+    **dict.fromkeys((PointColumn(place) for place in VALUES), 56),
+    PointColumn.MIDDLE: 90,
+    PointColumn.SPEED: 50,
     PointColumn.DWELL: 46,
-    PointColumn.GRIPPER: 57,
+    PointColumn.GRIPPER: 58,
     PointColumn.LIGHT: 44,
-    PointColumn.NOTE: 50,
+    PointColumn.NOTE: 44,
 }
 """As wide as titles and usual figures, so that every column is in sight beside the picture."""
 _MOST_PX: Final = {
@@ -121,6 +121,16 @@ class PointsTable(QTableView):
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
         return rows_hint(self, _LEAST_ROWS)
+
+    @property
+    def wanted_px(self) -> int:
+        """The width at which every column is in sight, also beside a scroll bar."""
+        across = self.horizontalHeader()
+        columns = (each for each in PointColumn if not across.isSectionHidden(each))
+        note_px = across.sectionSize(PointColumn.NOTE) - _WIDTHS_PX[PointColumn.NOTE]
+        bar_px = self.verticalScrollBar().sizeHint().width()
+        whole_px = sum(map(across.sectionSize, columns)) - note_px
+        return whole_px + self.verticalHeader().width() + bar_px + 2 * self.frameWidth()
 
     def _on_number_menu(self, at: QPoint) -> None:
         """Show the same actions beside a row's number, for that row."""
