@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final, TypeVar
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QFontMetrics, QPaintEvent, QPalette, QResizeEvent
-from PySide6.QtWidgets import QAbstractButton, QScrollArea, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QToolButton, QWidget
 
 from armui.arm.joint_status import StatusVerdict
 from armui.arm.limits import JOINTS
@@ -389,7 +389,7 @@ class SideMenu(Translated, QWidget):
         operate = (self._headings["operate"], *self._of(MenuGroup.OPERATE))
         panels = (*operate, self._fold, self._settings, STRETCH)
         in_column(*panels, on=self._column, spacing=_GAP_PX, margins=0)
-        area = self._scrolled(self._column)
+        self._area = area = self._scrolled(self._column)
         self._below = QWidget()
         work = (self._headings["work"], library, self._headings["watch"], watch, joint_status)
         in_column(*work, on=self._below, spacing=_GAP_PX, margins=0)
@@ -455,6 +455,8 @@ class SideMenu(Translated, QWidget):
     def _show_group(self, *, shown: bool) -> None:
         self._fold.setChecked(shown)
         self._settings.setVisible(shown)
+        self._column.updateGeometry()
+        self._area.fit()  # within a resize Qt would not
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit into the new room."""
@@ -478,7 +480,7 @@ class SideMenu(Translated, QWidget):
             room_px = self.height() - below_px - _AROUND_PX
             self._show_group(shown=whole_px <= room_px)
 
-    def _scrolled(self, column: QWidget) -> QScrollArea:
+    def _scrolled(self, column: QWidget) -> CardArea:
         area = CardArea(column)
         area.setViewport(QWidget())
         area.setObjectName("side_menu_entries")

@@ -59,21 +59,23 @@ class CardArea(QScrollArea):
         """Take the card, at the first time."""
         if self.widget() is None:
             self.setWidget(self._card)
-        self._fit()
+            self._card.setAutoFillBackground(False)  # its corners are round
+        self.fit()
         super().showEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the height, because text wraps differently in another width."""
         super().resizeEvent(event)
-        self._fit()
+        self.fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Fit the height after a change of texts or parts."""
         if watched is self._card and event.type() == QEvent.Type.LayoutRequest:
-            self._fit()
+            self.fit()
         return super().eventFilter(watched, event)
 
-    def _fit(self) -> None:
+    def fit(self) -> None:
+        """Be no higher than the card."""
         if self.widget() is not None:
             self.setMaximumHeight(self.wanted_px)
 

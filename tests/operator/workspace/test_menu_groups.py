@@ -29,7 +29,13 @@ def is_folded(app_driver):
     return not shown.pop()
 
 
-@pytest.mark.parametrize(("size", "folded"), [((1280, 800), True), ((1440, 900), False)])
+def lower(app_driver):
+    """Make the window so low that the group does not fit."""
+    app_driver.window.resize(1280, 720)
+    app_driver.run(0.1)
+
+
+@pytest.mark.parametrize(("size", "folded"), [((1280, 720), True), ((1280, 800), False)])
 @pytest.mark.parametrize("language", ["zh", "en"])
 def test_the_settings_are_folded_where_they_would_not_fit(app_driver, size, folded, language):
     app_driver.store.change(language=language)
@@ -57,6 +63,7 @@ def test_as_the_operator_leaves_it_so_it_stays(qapp, request, tmp_path):
         app_driver = AppDriver(qapp, name, settings, Generation.TWO)
         try:
             if start == "first":
+                lower(app_driver)
                 assert is_folded(app_driver)
                 app_driver.click("menu_fold")
             assert not is_folded(app_driver)
@@ -69,6 +76,7 @@ def test_as_the_operator_leaves_it_so_it_stays(qapp, request, tmp_path):
 
 
 def test_what_is_folded_is_found_and_then_shown(app_driver):
+    lower(app_driver)
     assert is_folded(app_driver)
     app_driver.click("commands_button")
     palette = app_driver.dialog(CommandPalette)
@@ -79,6 +87,7 @@ def test_what_is_folded_is_found_and_then_shown(app_driver):
 
 
 def test_the_number_of_what_is_folded_is_said(app_driver):
+    lower(app_driver)
     fold = app_driver.find("menu_fold")
     assert str(len(SETTINGS)) in fold.text()
     app_driver.click("menu_fold")
