@@ -53,7 +53,7 @@ BACKUP_NOTHING_READ = Reason(
 _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
 """The most lines of a question."""
-_NARROWEST_COLUMN_PX: Final = 110
+_NARROWEST_COLUMN_PX: Final = 84
 NAME, FILED, HELD, STATE = range(4)
 Said = tuple[str, Level]
 """A text and its severity."""

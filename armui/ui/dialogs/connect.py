@@ -38,8 +38,8 @@ from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.finding_row import FindingRow
 from armui.ui.dialogs.kept_models import KeptModels
 from armui.ui.dialogs.model_choice import (
-    CHANNEL,
     LINE_GAP_PX,
+    SERIAL,
     STATE,
     DeviceModel,
     ModelChoice,
@@ -267,7 +267,7 @@ class ConnectDialog(ArmDialog):
         self._table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         header = list_rows(self._table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(CHANNEL, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(SERIAL, QHeaderView.ResizeMode.Stretch)
         self._progress = quiet_progress()
         self._progress.setRange(0, 0)
         said = in_row((self._message, 1), self.diagnosis_button, spacing=8)
@@ -288,8 +288,6 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box = QComboBox()
         for bitrate in _BITRATES:
             self.bitrate_box.addItem("", bitrate)
-        for box in (self.bitrate_box, self.model_choice.box):
-            box.setMinimumWidth(_BOX_PX)
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = text_label(rank="muted")
         self.listen_only_box = named("listen_only_box", QCheckBox())
@@ -314,6 +312,10 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box.setItemText(0, bitrate_text(_BITRATES[0]))
         generation_1 = self.tr("{bitrate} (generation 1)")
         self.bitrate_box.setItemText(1, generation_1.format(bitrate=bitrate_text(_BITRATES[1])))
+        boxes = (self.bitrate_box, self.model_choice.box, self._manual.interface_box)
+        width_px = max(_BOX_PX, *(box.sizeHint().width() for box in boxes))
+        for box in boxes:
+            box.setFixedWidth(width_px)
         self._manual_label.setText(self.tr("The device is not in the list? Enter it:"))
         self._model.retranslate()
         self._refresh()

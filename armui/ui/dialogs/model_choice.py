@@ -196,7 +196,6 @@ class ModelChoice(Translated, QWidget):
         self._now: OperatingState | None = None
         self._label = QLabel()
         self.box = named("model_box", QComboBox())
-        self.box.setMinimumWidth(140)
         for model, data in all_models().items():
             self.box.addItem(data.name, model)
         self._label.setBuddy(self.box)

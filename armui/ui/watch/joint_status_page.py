@@ -265,12 +265,14 @@ class JointCellDelegate(QStyledItemDelegate):
         dim = view.stale or view.text == fmt.NOTHING
         painter.setPen(QColor(colors.muted if dim else colors.text))
         align = Qt.AlignmentFlag
-        painter.drawText(QRectF(left, top, width, word.height()), align.AlignLeft, view.text)
+        # Chinese is higher than the font's own line
+        upon = align.AlignLeft | align.AlignVCenter | Qt.TextFlag.TextDontClip
+        painter.drawText(QRectF(left, top, width, word.height()), upon, view.text)
         painter.setFont(small_font)
         painter.setPen(QColor(colors.text if is_fault and not view.stale else colors.muted))
         if two_lines:
             below = QRectF(left, top + word.height(), width, small.height())
-            painter.drawText(below, align.AlignLeft, view.small)
+            painter.drawText(below, upon, view.small)
             return
         room = width - word.horizontalAdvance(view.text) - 2 * _GAP_PX
         # what has no room is in the tooltip, and below the table

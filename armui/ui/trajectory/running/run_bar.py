@@ -537,6 +537,7 @@ class RunBar(Translated, QWidget):
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
         show_primary(self._send, wanted=not (self._stands_back or self._is_asking))
+        self._recolor()
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)
@@ -548,7 +549,9 @@ class RunBar(Translated, QWidget):
     # Words ------------------------------------------------------------------------------------
 
     def _recolor(self) -> None:
-        self._send.setIcon(icons.icon("play", colors_of(self).on_accent))
+        colors = colors_of(self)
+        usable = colors.on_accent if self._send.property("primary") else colors.text
+        self._send.setIcon(icons.icon("play", usable if self._send.isEnabled() else colors.faint))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -66,10 +66,9 @@ _OLD_S: Final = 1.0
 _BUSY_PERCENT: Final = 80.0
 _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
 _ICON_PX: Final = 16
-_PAD_PX: Final = 24
+_PAD_PX: Final = 18
 _INDENT_PX: Final = 22
-_NAME_PX: Final = 150
-_SAYS_PX: Final = 240
+_SAYS_PX: Final = 220
 _WIDE: Final = "9000 /s"
 """A figure this wide moves nothing beside it."""
 
@@ -97,7 +96,7 @@ class FrameTree(RowView):
         widths = {
             frame_model.ID: text("0x00000000") + _INDENT_PX + _PAD_PX,
             frame_model.SENDER: text("another host") + _PAD_PX,
-            frame_model.NAME: _NAME_PX,
+            frame_model.NAME: text("Driver of J1, slow values") + _PAD_PX,
             frame_model.DATA: bytes_width(self) + _PAD_PX,
             frame_model.RATE: text("Rate, Hz 0") + _PAD_PX,
             frame_model.JITTER: text("±00.00 / 00.00") + _PAD_PX,
