@@ -24,6 +24,8 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.ui import words
 from armui.ui.background import Job
+from armui.ui.widgets.halt_button import HaltButton
+from armui.ui.widgets.layouts import STRETCH, in_row
 from armui.ui.widgets.stop_button import StopButton
 
 if TYPE_CHECKING:
@@ -133,7 +135,8 @@ class FileDialog(QFileDialog):
         self.setLabelText(QFileDialog.DialogLabel.LookIn, self.tr("Folder"))
         self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
         self.stop_button = StopButton(controller, self, slim=True)
-        _add_at_the_top(self.layout(), self.stop_button)
+        halt_button = HaltButton(controller, self, slim=True)
+        _add_at_the_top(self.layout(), in_row(STRETCH, halt_button, self.stop_button, spacing=14))
         self._widen_columns()
         self.resize(*_SIZE_PX)
 
@@ -146,8 +149,8 @@ class FileDialog(QFileDialog):
             table.header().setStretchLastSection(False)
 
 
-def _add_at_the_top(layout: QLayout | None, widget: QWidget) -> None:
-    """Put a widget above everything in Qt's grid, at the right, as in the other dialogs."""
+def _add_at_the_top(layout: QLayout | None, buttons: QLayout) -> None:
+    """Put buttons above everything in Qt's grid, as in the other dialogs."""
     if not isinstance(layout, QGridLayout):
         raise TypeError(f"Qt's file chooser is laid out by {layout!r}, not by a grid")
     places = [layout.getItemPosition(index) for index in range(layout.count())]
@@ -155,7 +158,7 @@ def _add_at_the_top(layout: QLayout | None, widget: QWidget) -> None:
     for item, place in zip(items, places, strict=True):
         row, column, rows, columns = cast("tuple[int, int, int, int]", place)
         layout.addItem(cast("QLayoutItem", item), row + 1, column, rows, columns)
-    layout.addWidget(widget, 0, 0, 1, layout.columnCount(), Qt.AlignmentFlag.AlignRight)
+    layout.addLayout(buttons, 0, 0, 1, layout.columnCount())
 
 
 def choose_file(

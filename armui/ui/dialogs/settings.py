@@ -132,6 +132,7 @@ class SettingsDialog(ArmDialog):
         self.jog_floor_spin.setRange(JOG_FLOOR_MM.least, JOG_FLOOR_MM.most)
         self.jog_floor_spin.setSingleStep(10)
         self.jog_floor_spin.setSuffix(" mm")
+        self.jog_floor_spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.jog_floor_spin.setKeyboardTracking(False)
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
