@@ -312,6 +312,13 @@ def test_a_leader_arm_is_named_as_one(company):
     assert company.other.why_not().reason == OTHER_HOST
 
 
+def test_frames_that_are_read_late_are_named(company):
+    company.say(0x151, "01 01 32 00 00 00 00 00")
+    company.look(NOW_S + 2.5, at_rest=False)
+    assert company.other.commands
+    assert company.other.frames == "0x151"
+
+
 def test_frames_for_another_arm_count_until_our_own_offset_is_known(company):
     company.say(0x155, "00" * 8, NOW_S)
     company.say(0x165, "00" * 8, NOW_S + 1.0)

@@ -130,7 +130,8 @@ class OtherCommand:
         elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
-        self._last_series = self.series or self._last_series
+        # read late, its first frames are outdated already: they name it all the same
+        self._last_series = self.series or self._last_series or motion
         self.mode = self._mode_of(traffic, offsets, state)
         return new
 
