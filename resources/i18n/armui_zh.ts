@@ -11251,10 +11251,6 @@ The other program must have ended.</source>
         <translation>关节 {joint}：“{value}”不是角度。请输入以度为单位的数字，例如 12.5。</translation>
     </message>
     <message>
-        <source>The arm has not reported all of its joint angles yet. Wait until all six are shown.</source>
-        <translation>尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。</translation>
-    </message>
-    <message>
         <source>The arm takes its commands from elsewhere: {mode}. Leave that mode first.</source>
         <translation>机械臂当前不由本程序控制：{mode}。请先退出该模式。</translation>
     </message>
@@ -11593,6 +11589,10 @@ The other program must have ended.</source>
     <message>
         <source>The arm is in emergency stop. Support it, hold Release above the panel, then enable the motors.</source>
         <translation>机械臂处于急停状态。请扶住机械臂，按住面板上方的“解除急停”，然后使能电机。</translation>
+    </message>
+    <message>
+        <source>Not all of the arm&apos;s joint angles are heard now. Wait until all six are shown, none muted.</source>
+        <translation>现在没有收到全部关节角度。请等待 6 个关节的角度都显示出来且不变灰。</translation>
     </message>
     <message>
         <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Release.</source>

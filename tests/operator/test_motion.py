@@ -1,6 +1,7 @@
 """An operator at the main window: clicks and keys in, bytes at the arm and words on screen out."""
 
 import errno
+from concurrent.futures import Future
 
 import can
 import pytest
@@ -14,6 +15,7 @@ from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.widgets.stop_button import StopButton
+from tests.control.test_started import outside_limits
 
 STOP = Frame(0x150, bytes.fromhex("01 00 00 00 00 00 00 00"))
 RESUME = Frame(0x150, bytes.fromhex("02 00 00 00 00 00 00 00"))
@@ -342,3 +344,31 @@ def test_closing_while_the_arm_moves_asks_first(ready):
     assert ready.window.isVisible()
     ready.confirm()
     ready.run_until(lambda: not ready.window.isVisible())
+
+
+def test_targets_refused_by_a_check_that_takes_long_stay_and_the_panel_says_why(ready, monkeypatch):
+    monkeypatch.setattr("armui.control.safety.gate._AT_ONCE", 0.0)
+    done: Future[object] = Future()
+    checks = []
+    ready.controller.gate._background = lambda check: checks.append(check) or done
+    for joint, target in ((2, "45"), (5, "30")):
+        ready.type_into(f"target_field_{joint}", target)
+    ready.click("send_button")
+    assert ready.read("motion_message") == ""
+    done.set_result(checks[0]())
+    ready.run_until(lambda: "refused" in ready.codes())
+    assert "would hit itself" in ready.read("motion_message")
+    assert ready.find("target_field_2").text() == "45.000"
+    assert ready.find("target_field_5").text() == "30.000"
+    assert ready.find("target_field_1").text() == "0.000"
+    ready.type_into("target_field_5", "0")
+    assert ready.read("motion_message") == ""
+
+
+def test_a_refusal_outside_the_limits_goes_once_the_arm_is_inside(ready):
+    outside_limits(ready)
+    ready.click("jog_plus_2")
+    assert "Outside the limits" in ready.read("motion_message")
+    ready.hold_button("recovery_hold_button")
+    ready.run_until(lambda: ready.controller.operating_state.outside == "")
+    assert ready.read("motion_message") == ""

@@ -29,7 +29,7 @@ ENABLED_UNKNOWN = Reason(
 )
 JOINTS_UNKNOWN = Reason(
     "joints_unknown",
-    "The arm has not reported all of its joint angles yet. Wait until all six are shown.",
+    "Not all of the arm's joint angles are heard now. Wait until all six are shown, none muted.",
 )
 OTHER_CONTROL = Reason(
     "other_control", "The arm takes its commands from elsewhere: {mode}. Leave that mode first."

@@ -13,11 +13,13 @@ from PySide6.QtWidgets import QComboBox, QFrame, QLabel, QLayout, QPushButton, Q
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
+from armui.control.context import REFUSED
 from armui.control.devices.zeroing import ZEROING_ENDED
 from armui.control.events import Event
 from armui.control.motion.jog_path import TOOL_DEG_S, TOOL_MM_S
 from armui.control.motion.jogging import JOG_ENDED
 from armui.control.operating_state import OperatingState
+from armui.control.operations.started import Ending, Started
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.panel import Panel
@@ -414,6 +416,8 @@ class JogPanel(Panel):
     ) -> None:
         super().__init__(controller, message_name)
         self._followed_s = 0.0
+        self._begun: Started | None = None
+        self._untaken: tuple[tuple[float, ...], tuple[bool, ...]] | None = None
         self._numbers = tuple(numbers)
         self._step_label = named(f"{name}_step_label", QLabel())
         self._step_box = named(f"{name}_step", StepBox(write_step))
@@ -586,10 +590,17 @@ class JogPanel(Panel):
     def _on_unattended(self) -> None:
         self._accepted(HOLD_UNATTENDED(seconds=UNATTENDED_S))
 
+    def _accepted(self, answer: Started | Refusal | None) -> bool:
+        self._begun, self._untaken = (answer if isinstance(answer, Started) else None), None
+        return super()._accepted(answer)
+
     def _on_noticed(self, event: Event) -> None:
-        """Say why a jog has ended, and drop all targets after a new zero."""
+        """Say why a jog has ended or a motion was not sent; drop all targets after a new zero."""
         reason = event.params.get("reason")
-        if event.notice == JOG_ENDED and isinstance(reason, Refusal) and self.isVisible():
+        late = event.notice == REFUSED and self._begun and self._begun.ending is Ending.REFUSED
+        if (late or event.notice == JOG_ENDED) and isinstance(reason, Refusal) and self.isVisible():
+            if late and self._untaken and not any(self.given()):
+                self.take_targets(*self._untaken)
             self._accepted(reason)
         elif event.notice in ZEROING_ENDED:
             # the same figures are another place by the new zero
@@ -602,7 +613,8 @@ class JogPanel(Panel):
         if old.device != self._operating_state.device:
             # another arm: targets made for the last one would be a trap
             self._forget_targets()
-        if old.cannot_move != self._operating_state.cannot_move:
+        now = self._operating_state
+        if (old.cannot_move, not old.outside) != (now.cannot_move, not now.outside):
             self._refusal = None
 
     def _allow_jog(self) -> str:

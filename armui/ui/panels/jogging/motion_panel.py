@@ -336,6 +336,7 @@ class MotionPanel(JogPanel):
             unknown = next(row for row in self._rows if row.field.value is None)
             self._accepted(self._why_no_figure(unknown))
         elif self._accepted(self._controller.motion.send_joints(targets_deg)):
+            self._untaken = targets_deg, self.given()
             self._release(*JOINTS)
 
     @staticmethod
