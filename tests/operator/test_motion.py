@@ -350,7 +350,12 @@ def test_targets_refused_by_a_check_that_takes_long_stay_and_the_panel_says_why(
     monkeypatch.setattr("armui.control.safety.gate._AT_ONCE", 0.0)
     done: Future[object] = Future()
     checks = []
-    ready.controller.gate._background = lambda check: checks.append(check) or done
+
+    def begin(check):
+        checks.append(check)
+        return done
+
+    ready.controller.gate._background = begin
     for joint, target in ((2, "45"), (5, "30")):
         ready.type_into(f"target_field_{joint}", target)
     ready.click("send_button")

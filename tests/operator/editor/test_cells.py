@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QWidget
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
@@ -59,6 +59,20 @@ def test_the_gripper_has_an_editor_of_its_own(editor):
     editor.enter(place.parentWidget())
     assert editor.points[0].gripper == GripperOpening(35.0, 1.0)
     assert editor.text(0, PointColumn.GRIPPER) == "35 mm, 1 N·m"
+
+
+def test_tab_leads_through_the_fields_of_a_cell_before_it_leaves(editor):
+    editor.edit(0, PointColumn.GRIPPER)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Down)
+    for figure in ("35", "2"):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        QApplication.focusWidget().selectAll()
+        QTest.keyClicks(QApplication.focusWidget(), figure)
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Backtab)
+    assert QApplication.focusWidget().objectName() == "gripper_place"
+    for _ in range(3):
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+    assert editor.points[0].gripper == GripperOpening(35.0, 2.0)
 
 
 def test_so_have_the_lamps(editor):

@@ -117,6 +117,18 @@ class _Row(Translated, QWidget):
         self._layout.addWidget(label)
         return label
 
+    def focusNextPrevChild(self, forward: bool) -> bool:  # noqa: N802 - Qt's name
+        """Lead Tab from field to field before it leaves the cell."""
+        parts = self.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+        none = Qt.FocusPolicy.NoFocus
+        stops = [each for each in parts if each.focusPolicy() != none and each.isEnabled()]
+        here = stops.index(self.focusWidget())
+        there = here + (1 if forward else -1)
+        if not 0 <= there < len(stops):
+            return super().focusNextPrevChild(forward)
+        stops[there].setFocus(Qt.FocusReason.TabFocusReason)
+        return True
+
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
 
