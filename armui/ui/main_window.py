@@ -16,6 +16,7 @@ from armui.arm.state import ArmState
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.control.operating_state import OperatingState, StopState
 from armui.ui.actions.command import CommandSource, Offering, source_of
+from armui.ui.actions.operator_view import set_operator_view
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
@@ -43,6 +44,7 @@ from armui.ui.shell.side_menu import (
     LibraryButton,
     MenuFoot,
     SideMenu,
+    UnlockButton,
     WatchMenu,
 )
 from armui.ui.shell.status_bar import FailureLine, ModelMark, StatusBar
@@ -181,13 +183,15 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         watch_menu = WatchMenu({key: page for key, page in PAGES.items() if page.beside_menu})
         for tabs in (watch_menu, self._drawer):
             tabs.page_wanted.connect(self.pages.show)
-        self._foot = MenuFoot()
+        set_operator_view(wanted=self._keeper.layout.operator_view)
+        self._foot, self._unlock = MenuFoot(), UnlockButton(self._controller)
         self._menu = SideMenu(
             self._entries,
             library=self._library_button,
             watch=watch_menu,
             joint_status=self._joint_status_button,
             foot=self._foot,
+            unlock=self._unlock,
             folded=self._keeper.layout.menu_folded,
         )
         self._menu.folded_by_hand.connect(self._on_menu_folded)
@@ -210,6 +214,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
                 "library.open": self._library_button,
                 "window.joint_status": self._joint_status_button,
             },
+            lock=lambda: self._lock(wanted=True),
         )
         parts = (top, self.window_actions, watch_menu, self._foot, self._picture.bar)
         self._offer((*parts, self._preview_bar, self._menu))
@@ -246,6 +251,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._library_button.clicked.connect(self.open_library_window)
         self._library_button.clicked.connect(self._show_where)
         self._work_area.turned.connect(self._show_where)
+        self._unlock.held.connect(lambda: self._lock(wanted=False))
         self._foot.help.clicked.connect(self._opening("help"))
         self._foot.reset_view.clicked.connect(self._view.reset_view)
         self._foot.settings.clicked.connect(self._opening("settings"))
@@ -269,6 +275,14 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     def _on_menu_folded(self, folded: bool) -> None:
         self._keeper.layout = replace(self._keeper.layout, menu_folded=folded)
         self._keeper.note()
+
+    def _lock(self, *, wanted: bool) -> None:
+        """Enter or leave the operator's view, which is kept; a page of settings is left."""
+        set_operator_view(wanted=wanted)
+        self._keeper.layout = replace(self._keeper.layout, operator_view=wanted)
+        self._keeper.note()
+        if wanted and self._menu.shows_setting:
+            self._menu.open_entry(self._entries[0].key)
 
     def _show_panel(self, place: int) -> None:
         self._panels.show_panel(place)

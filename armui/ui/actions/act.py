@@ -16,6 +16,7 @@ from armui.control.operations.operation import Operation, operation_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Needs, Target, no_reason
 from armui.ui.actions.keys import SHORTCUTS, keys_of
+from armui.ui.actions.operator_view import why_taken
 from armui.ui.widgets.buttons import (
     bar_button,
     enable_or_explain,
@@ -221,6 +222,8 @@ class Act:
 
     def reason(self, owner: HasActs) -> str:
         """Return in words why it cannot be pressed now; "" if it can."""
+        if taken := why_taken(self.key or self.named, self.operation):
+            return taken
         if "why_not" in self._methods:
             refusal: Refusal | str | None = self._ask(owner, "why_not")
         elif self.operation is not None or self._needs is not no_reason:

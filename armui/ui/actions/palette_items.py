@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from armui.ui.actions.act import BoundAct, HasActs
 from armui.ui.actions.command import Command, CommandSource, Target
+from armui.ui.actions.operator_view import why_taken
 from armui.ui.widgets.hold_button import HoldButton
 
 if TYPE_CHECKING:
@@ -125,6 +126,7 @@ class PaletteItems:
             else:
                 reason = source.why_not() or command.needs(now) or command.refusal(now)
                 reason = reason or (nothing_to_do() if known else "")
+            reason = why_taken(command.name, command.operation) or reason
             place = "" if place == title else place
             items.append(PaletteItem(title, place, reason, command, source, target, act, seen))
         return items

@@ -44,6 +44,7 @@ _HIGHEST_PX: Final = 20
 """The largest height of the button: that of the line of text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
 """The steps for which the line above the panels has no button."""
+_OPERATOR_VIEW: Final = "window.operator_view"
 _NEXT_STEP: Final = "window.next_step"
 _HELD_IN_THE_LINE: Final = {
     "window.resume": Action.RESUME,
@@ -70,6 +71,8 @@ _COMMANDS: Final = (
     Command("window.language", Text("Action", "Language: Chinese or English")),
     Command("window.theme", Text("Action", "Theme: light or dark"),
             synonyms=also("dark light night 深色 浅色 夜间")),
+    Command(_OPERATOR_VIEW, Text("Action", "Operator's view: only jog, run and stop"),
+            synonyms=also("lock kiosk protect 锁定 操作员")),
     Command("everywhere.guide", Text("Action", "User guide"),
             synonyms=also("manual help documentation 帮助 手册 说明书")),
     Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
@@ -172,6 +175,7 @@ class WindowActions(QObject):
         pages: PageOpener,
         *,
         buttons: Mapping[str, QAbstractButton],
+        lock: Callback,
     ) -> None:
         """Connect the actions to the parts of the window.
 
@@ -180,6 +184,7 @@ class WindowActions(QObject):
             run: Goes on with a run that pauses or waits.
             pages: Opens pages and windows.
             buttons: The buttons below the menu, by the names of their commands.
+            lock: Enters the operator's view.
         """
         self._recovery, self._run, self._pages = recovery, run, pages
         opening = {
@@ -196,13 +201,14 @@ class WindowActions(QObject):
             **opening,
             "window.language": self._switch_language,
             "window.theme": self._switch_theme,
+            _OPERATOR_VIEW: lock,
             "everywhere.guide": self.open_guide,
             "everywhere.shortcuts": self.open_shortcuts,
             "window.close": self._window.close,
         }
         actions = {name: new_action(self, do) for name, do in does.items()}
         self._targets: dict[str, Target] = {**actions, **buttons}
-        self._next_step = actions[_NEXT_STEP]
+        self._next_step, self._lock = actions[_NEXT_STEP], actions[_OPERATOR_VIEW]
 
     def offer(
         self,
@@ -222,6 +228,7 @@ class WindowActions(QObject):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each of its commands, by the command's name."""
         allow(self._next_step, self._why_no_step())
+        allow(self._lock, self._why_no_lock())
         button, now = self._recovery.step_button, self._controller.recovery.step.action
         held = {name for name, action in _HELD_IN_THE_LINE.items() if action is now}
         return self._targets if button is None else {**self._targets, **dict.fromkeys(held, button)}
@@ -281,6 +288,10 @@ class WindowActions(QObject):
         if button is None:
             return self.tr("There is no next step now.")
         return "" if button.isEnabled() else button.toolTip()
+
+    def _why_no_lock(self) -> str:
+        open_editor = self._pages.existing("editor") is not None
+        return self.tr("Close the trajectory editor first.") if open_editor else ""
 
     def _go_slower(self) -> None:
         self._controller.speed_override.step(-STEP_PERCENT)

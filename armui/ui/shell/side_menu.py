@@ -18,9 +18,11 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target, also
+from armui.ui.actions.operator_view import operator_view
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import icons, painting, state_mark
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import caption, named
+from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.layouts import STRETCH, CardArea, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import text_label
@@ -29,6 +31,7 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
     from armui.control.devices.joint_monitor import JointMonitor
     from armui.ui.shell.page_entry import PageEntry
     from armui.ui.shell.page_opener import PageOpener
@@ -272,6 +275,19 @@ class MenuFoot(HasActs, Translated, QWidget):
             act.button(self).setIcon(icons.icon(icon, colors_of(self).muted))
 
 
+class UnlockButton(HoldButton):
+    """Leaves the operator's view when it is held for a second."""
+
+    def __init__(self, controller: ArmController) -> None:
+        super().__init__(controller)
+        self.setObjectName("unlock_button")
+
+    def retranslate_ui(self) -> None:
+        """Set the texts in the operator's language."""
+        super().retranslate_ui()
+        caption(self, self.tr("Unlock"), tip=self.tr("Leaves the operator's view."))
+
+
 class MenuGroup(enum.Enum):
     """The headings over the panels, in their order."""
 
@@ -344,6 +360,7 @@ class SideMenu(Translated, QWidget):
         joint_status: Shows the state of the joints, always visible (manual 1.0.10).
         foot: Stands at the foot, whatever is above.
         folded: True or False as the operator left the group of the settings; None to fit.
+        unlock: Leaves the operator's view; it stands in the place of the group of the settings.
 
     Signals:
         chosen: The index of the entry.
@@ -362,6 +379,7 @@ class SideMenu(Translated, QWidget):
         watch: QWidget,
         joint_status: QWidget,
         foot: QWidget,
+        unlock: QWidget,
         folded: bool | None = None,
     ) -> None:
         super().__init__()
@@ -387,7 +405,8 @@ class SideMenu(Translated, QWidget):
         self._fold = GroupHeading(len(settings))
         self._column = QWidget()
         operate = (self._headings["operate"], *self._of(MenuGroup.OPERATE))
-        panels = (*operate, self._fold, self._settings, STRETCH)
+        self._unlock = unlock
+        panels = (*operate, self._fold, self._settings, unlock, STRETCH)
         in_column(*panels, on=self._column, spacing=_GAP_PX, margins=0)
         self._area = area = self._scrolled(self._column)
         self._below = QWidget()
@@ -437,11 +456,13 @@ class SideMenu(Translated, QWidget):
         self._chosen = place
         for number, button in enumerate(self._buttons):
             button.setChecked(number == place)
-        if self._chosen_is_a_setting():
+        if self.shows_setting:
             self._show_group(shown=True)
         self._recolor()
 
-    def _chosen_is_a_setting(self) -> bool:
+    @property
+    def shows_setting(self) -> bool:
+        """True if the chosen entry is one of the arm's settings."""
         chosen = self._chosen
         return chosen is not None and self._entries[chosen].group is MenuGroup.SETTINGS
 
@@ -454,7 +475,9 @@ class SideMenu(Translated, QWidget):
 
     def _show_group(self, *, shown: bool) -> None:
         self._fold.setChecked(shown)
-        self._settings.setVisible(shown)
+        self._settings.setVisible(shown and not operator_view())
+        self._fold.setVisible(not operator_view())
+        self._unlock.setVisible(operator_view())
         self._column.updateGeometry()
         self._area.fit()  # within a resize Qt would not
 
@@ -472,7 +495,7 @@ class SideMenu(Translated, QWidget):
 
     def _fold_to_fit(self) -> None:
         """Fold or unfold the group by the room, unless the operator has chosen."""
-        if self._folded is None and not self._chosen_is_a_setting():
+        if self._folded is None and not self.shows_setting:
             whole_px = self._column.sizeHint().height()
             if not self._fold.isChecked():
                 whole_px += self._settings.sizeHint().height() + _GAP_PX
@@ -501,6 +524,7 @@ class SideMenu(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set the entries in the operator's language."""
+        self._show_group(shown=self._fold.isChecked())  # the operator's view may have changed
         for name, heading in self._headings.items():
             heading.setText(_HEADINGS.text(name))
         for place, entry in enumerate(self._entries):

@@ -74,6 +74,7 @@ class WorkspaceLayout:
         columns: The columns of each table by its name.
         menu_folded: True or False as the operator has left the group of settings in the menu; None
             before.
+        operator_view: True if the program ended in the operator's view.
         open_windows: The pages that stood in windows of their own when the program ended.
     """
 
@@ -87,6 +88,7 @@ class WorkspaceLayout:
     columns: Mapping[str, ColumnLayout] = field(default_factory=dict)
     open_windows: tuple[OpenWindow, ...] = ()
     menu_folded: bool | None = None
+    operator_view: bool = False
 
 
 def to_text(layout: WorkspaceLayout) -> str:
@@ -109,6 +111,7 @@ def to_text(layout: WorkspaceLayout) -> str:
         },
         "open_windows": [[each.key, each.subject] for each in layout.open_windows],
         "menu_folded": layout.menu_folded,
+        "operator_view": layout.operator_view,
     }
     return f"{json.dumps(entries, indent=2)}\n"
 
@@ -140,6 +143,7 @@ def from_text(text: str) -> WorkspaceLayout:
             if (columns := _columns(entry)) is not None
         },
         open_windows=_open_windows(found.get("open_windows")),
+        operator_view=found.get("operator_view") is True,
         menu_folded=folded if isinstance(folded := found.get("menu_folded"), bool) else None,
     )
 

@@ -9,6 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QSplitter, QTableView, QWidget
 
 from armui.protocol.generation import Generation
+from armui.ui.actions.operator_view import operator_view, set_operator_view
 from armui.ui.shell.workspace import PageWindow
 from tests.app_driver import AppDriver
 from tests.operator.workspace.actions import Pages
@@ -252,3 +253,16 @@ def test_a_window_opens_as_high_as_it_stood_if_its_title_can_be_reached(
     """A frame may be narrower than the widest there is: the window must not sink at each start."""
     file_of(tmp_path).write_text(json.dumps({"window": [20, top_px, 400, 300]}))
     assert started().driver.window.geometry().y() == opens_at_px
+
+
+@pytest.mark.parametrize("left", [False, True])
+def test_the_operator_s_view_is_kept_until_it_is_left(started, left):
+    pages = started()
+    pages.driver.window._lock(wanted=True)
+    if left:
+        pages.driver.window._lock(wanted=False)
+    started()
+    try:
+        assert operator_view() is not left
+    finally:
+        set_operator_view(wanted=False)

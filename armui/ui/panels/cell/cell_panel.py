@@ -23,6 +23,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, ActFamily, BoundAct, HasActs, toggle_button
 from armui.ui.actions.command import Command, Target
+from armui.ui.actions.operator_view import why_taken
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file
 from armui.ui.panels.cell.area_tab import AreaTab
@@ -415,7 +416,8 @@ class CellPanel(Panel):
         self._show_cells()
         self.show_acts()
         self._show_managing()
-        why_not = words.why_not(self._why_not_change())
+        taken = why_taken("", operation_of(CellControl.change))
+        why_not = taken or words.why_not(self._why_not_change())
         self._stack_of_tabs.setCurrentWidget(self._tab())
         self._tab().show_cell(why_not)
         self._show_message()
@@ -434,7 +436,8 @@ class CellPanel(Panel):
                 self._choice.addItem(name or self.tr("— (no cell)"), name)
         chosen = "" if cells.cell is None else cells.cell.name
         self._choice.setCurrentIndex(max(0, self._choice.findData(chosen)))
-        why_not = words.why_not(why_not_change(self._operating_state))
+        taken = why_taken("", operation_of(CellControl.choose))
+        why_not = taken or words.why_not(why_not_change(self._operating_state))
         self._choice.setEnabled(not why_not)
         use = self.tr("Puts another cell in force, or none; that confirms it, too.")
         self._choice.setToolTip(why_not or use)

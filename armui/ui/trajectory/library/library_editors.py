@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 
 from armui.control.events import Level
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.operator_view import why_taken
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recording_page import RecordingPage
@@ -99,7 +100,9 @@ class LibraryEditors(QObject):
             name: Its name in the library.
             unsaved: True if only unsaved changes of it exist.
         """
-        if name in self._editors:
+        if taken := why_taken("editor.open"):
+            self.said.emit(taken, Level.WARNING)
+        elif name in self._editors:
             self._editors[name].open()
         elif unsaved:
             self._open_draft(name)
