@@ -4488,7 +4488,7 @@
     <name>FaultsDialog</name>
     <message>
         <source>Simulated faults</source>
-        <translation>仿真故障</translation>
+        <translation>模拟故障</translation>
     </message>
     <message>
         <source>At joint</source>
@@ -13519,7 +13519,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Simulated faults…</source>
-        <translation>仿真故障…</translation>
+        <translation>模拟故障…</translation>
     </message>
     <message>
         <source>The built-in robot description is in use.</source>

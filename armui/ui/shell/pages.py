@@ -236,7 +236,7 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("FaultsDialog", "Simulated faults"), Home.WINDOW, faults_dialog,
         lambda it: faults_dialog()(it.controller, it.hand, it.window),
         command=Command("window.faults", Text("FaultsDialog", "Simulated faults"),
-                        needs=with_simulated, synonyms=also("inject demo test 模拟 演示 测试"))),
+                        needs=with_simulated, synonyms=also("inject demo test 演示 测试"))),
     "about": PageEntry(
         Text("AboutDialog", "About armui"), Home.WINDOW, about_dialog, _new_about,
         command=Command("window.about", Text("AboutDialog", "About armui"),
