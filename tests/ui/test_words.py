@@ -193,7 +193,7 @@ def test_a_refusal_names_what_it_is_about(chinese: None, refusal: Refusal, expec
 
 def test_a_notice_holds_the_reason_in_the_same_language(chinese: None) -> None:
     assert event(REFUSED, reason=JOINTS_UNKNOWN()) == (
-        "未发送。尚未收到全部关节角度。请等待 6 个关节的角度都显示出来。"
+        "未发送。现在没有收到全部关节角度。请等待 6 个关节的角度都显示出来且不变灰。"
     )
 
 

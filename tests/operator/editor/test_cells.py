@@ -61,17 +61,24 @@ def test_the_gripper_has_an_editor_of_its_own(editor):
     assert editor.text(0, PointColumn.GRIPPER) == "35 mm, 1 N·m"
 
 
+def focused():
+    """The widget that has the focus."""
+    widget = QApplication.focusWidget()
+    assert widget is not None
+    return widget
+
+
 def test_tab_leads_through_the_fields_of_a_cell_before_it_leaves(editor):
     editor.edit(0, PointColumn.GRIPPER)
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Down)
+    QTest.keyClick(focused(), Qt.Key.Key_Down)
     for figure in ("35", "2"):
-        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
-        QApplication.focusWidget().selectAll()
-        QTest.keyClicks(QApplication.focusWidget(), figure)
-    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Backtab)
-    assert QApplication.focusWidget().objectName() == "gripper_place"
+        QTest.keyClick(focused(), Qt.Key.Key_Tab)
+        focused().selectAll()
+        QTest.keyClicks(focused(), figure)
+    QTest.keyClick(focused(), Qt.Key.Key_Backtab)
+    assert focused().objectName() == "gripper_place"
     for _ in range(3):
-        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        QTest.keyClick(focused(), Qt.Key.Key_Tab)
     assert editor.points[0].gripper == GripperOpening(35.0, 2.0)
 
 
