@@ -277,6 +277,10 @@
         <translation>主题：浅色或深色</translation>
     </message>
     <message>
+        <source>Operator&apos;s view: only jog, run and stop</source>
+        <translation>操作员视图：只有点动、运行和停止</translation>
+    </message>
+    <message>
         <source>User guide</source>
         <translation>使用指南</translation>
     </message>
@@ -383,6 +387,10 @@
     <message>
         <source>Follower arm (motion output)</source>
         <translation>从臂（运动输出臂）</translation>
+    </message>
+    <message>
+        <source>Operator&apos;s view: hold Unlock to change this.</source>
+        <translation>操作员视图：按住“解锁”后才能更改。</translation>
     </message>
 </context>
 <context>
@@ -15467,6 +15475,17 @@ Before: {before}</source>
     </message>
 </context>
 <context>
+    <name>UnlockButton</name>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Leaves the operator&apos;s view.</source>
+        <translation>退出操作员视图。</translation>
+    </message>
+</context>
+<context>
     <name>UnsavedQuestion</name>
     <message>
         <source>What you entered has not been saved to the arm. If you discard it, the arm keeps what it holds now.</source>
@@ -15734,6 +15753,10 @@ Before: {before}</source>
     <message>
         <source>There is no next step now.</source>
         <translation>现在没有下一步。</translation>
+    </message>
+    <message>
+        <source>Close the trajectory editor first.</source>
+        <translation>请先关闭轨迹编辑器。</translation>
     </message>
 </context>
 </TS>
