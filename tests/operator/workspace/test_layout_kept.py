@@ -94,12 +94,12 @@ def test_windows_that_were_open_open_again_where_they_stood(started):
     pages.driver.click("events_button")
     pages.driver.click("drawer_take_out")
     (events,) = (each for each in pages.windows() if each.objectName() == "events_window")
-    events.setGeometry(10, 90, 780, 440)
+    events.setGeometry(5, 90, 790, 440)
     pages = started()
     assert not pages.windows(), "a start waits for no other window"
     reopen(pages)
     where = {each.windowTitle(): each.geometry() for each in pages.windows()}
-    assert where == {"two": QRect(30, 50, 700, 500), "Events": QRect(10, 90, 780, 440)}
+    assert where == {"two": QRect(30, 50, 700, 500), "Events": QRect(5, 90, 790, 440)}
     assert not pages.driver.find("page_area").isVisible()
     assert pages.driver.find("drawer").isHidden()
 
