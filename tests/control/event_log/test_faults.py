@@ -57,6 +57,7 @@ SEEN = {
     "corrupt-limits": both(("limits_unusable", {"joint": 1})),
     "feedback-stopped": both(("offline", {})),
     "bus-off": both(("offline", {})),
+    "power-off": both(("offline", {})),
     "garbage": both(("invalid_frames", {"kind": "UNKNOWN_ID"})),
     "lost-frames": both(("fewer_frames", {})),
 }
