@@ -143,6 +143,8 @@ class BinButton(Translated, QPushButton):
     def _open(self) -> None:
         if self._dialog is None:
             self._dialog = BinDialog(self._controller, self.window())
+            # it goes with the window that it was opened from, which may be one taken out
+            self._dialog.destroyed.connect(self._on_gone)
             self._dialog.wanted.connect(self._actions.bring_back)
             self._actions.said.connect(self._dialog.say)
         self._dialog.say("")
@@ -151,11 +153,15 @@ class BinButton(Translated, QPushButton):
 
     def refresh(self) -> None:
         """Update the list, if the window was opened."""
-        if self._dialog is None:
-            return
-        self._work.do(
-            self._work.library.recently_deleted, self._dialog.show_deleted, self._on_refused
-        )
+        if self._dialog is not None:
+            self._work.do(self._work.library.recently_deleted, self._on_read, self._on_refused)
+
+    def _on_gone(self) -> None:
+        self._dialog = None
+
+    def _on_read(self, deleted: Sequence[Deleted]) -> None:
+        if self._dialog is not None:
+            self._dialog.show_deleted(deleted)
 
     def _on_refused(self, text: str) -> None:
         if self._dialog is not None:
