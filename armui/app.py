@@ -143,6 +143,7 @@ _LATE_ROOMS: Final = (
     "session.recording",
     "telemetry",
     "trajectory",
+    "ways",
     "bus",
     "control",
     "ui",

@@ -318,7 +318,7 @@ def test_over_a_lost_link_nothing_survives(program):
         ("b", LINK_LOST),
         ("c", LINK_LOST),
     ]
-    assert not program.line.busy
+    assert program.line._task is None
     program.answer()
     program.wait(2.0)
     assert len(program.done) == 3
@@ -326,7 +326,7 @@ def test_over_a_lost_link_nothing_survives(program):
     program.line.submit(program.order("d", 4))
     program.answer()
     assert program.frames == [(frame(1),), (frame(4),)]
-    assert not program.line.busy
+    assert program.line._task is None
 
 
 def test_what_is_being_set_that_a_motion_counts_on(program):
@@ -345,4 +345,4 @@ def test_what_ends_may_begin_another(program):
     )
     program.answer()
     assert program.frames == [(frame(1),), (frame(2),)]
-    assert program.line.busy
+    assert program.line._task is not None

@@ -24,11 +24,11 @@ from tests.control.transaction_line import (
 def test_an_order_is_sent_at_once_and_done_when_it_is_answered(program):
     program.line.submit(program.order("a", 1, 2))
     assert program.sent == [(0.0, (frame(1), frame(2)), 0.5)]
-    assert program.line.busy
+    assert program.line._task is not None
     assert program.done == []
     program.answer()
     assert program.done == [("a", None)]
-    assert not program.line.busy
+    assert program.line._task is None
 
 
 @pytest.mark.parametrize(
@@ -43,7 +43,7 @@ def test_an_order_is_sent_at_once_and_done_when_it_is_answered(program):
 def test_another_answer_is_not_its_own(program, index, name):
     program.line.submit(program.order("a", 1))
     program.answer(index, name)
-    assert program.line.busy
+    assert program.line._task is not None
     assert program.done == []
 
 
@@ -104,7 +104,7 @@ def test_what_cannot_be_sent_is_over(program):
     program.connection.works = False
     program.line.submit(program.order("a", 1))
     assert program.done == [("a", LINK_LOST)]
-    assert not program.line.busy
+    assert program.line._task is None
 
 
 def test_without_an_answer_to_await_it_is_over_all_the_same(program):
