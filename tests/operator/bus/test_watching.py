@@ -402,6 +402,6 @@ def test_in_a_narrow_window_the_data_are_seen_whole(monitor):
     header = monitor.tree.header()
     right = header.sectionViewportPosition(frame_model.DATA) + header.sectionSize(frame_model.DATA)
     assert right <= monitor.tree.viewport().width()
-    assert header.sectionSize(frame_model.SAYS) >= 240
+    assert header.sectionSize(frame_model.SAYS) >= 220
     window.resize(2200, 700)
     assert header.length() <= monitor.tree.viewport().width()
