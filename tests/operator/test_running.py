@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QToolTip, QWidget
 
+from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
@@ -217,6 +218,23 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     assert operator.text("editor_message") == (
         "在第 2 行结束。原因是急停：请扶住机械臂，解除急停并重新使能电机，之后可从本行继续。"
     )
+
+
+def test_the_end_of_an_earlier_run_is_not_told_after_a_later_one(app_driver):
+    operator = Operator(app_driver, to(OUT), to(BACK), to(UP))
+    pages = ((operator.window, "editor_message"), (operator.library, "library_message"))
+    told = [page.findChild(QWidget, name) for page, name in pages]
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    app_driver.controller.player.end_run(RUN_TOO_SLOW(seconds=3))
+    app_driver.run(1.0)
+    assert all("at row 2" in each.text() for each in told)
+    operator.send()
+    operator.until(lambda: operator.progress.index == 2)
+    assert not any("at row" in each.text() for each in told)
+    app_driver.click("run_stop")
+    operator.until_over()
+    assert [each.text() for each in told] == ["Ended at row 3.", "“Test” ended at row 3."]
 
 
 def test_errors_of_the_check_are_not_run(app_driver):

@@ -41,6 +41,7 @@ from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.running.runner import ended_early
 from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -178,7 +179,7 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane()
-        self._plays = False
+        self._plays = self._tells_end = False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
             *(controller, checks, choices),
@@ -518,12 +519,16 @@ class EditorPage(Page):
         self.model.show_current(row)
         if under_way and self.isVisible():
             self.table.scrollTo(self.model.index(row, 0))
-        if ours and progress.refusal is not None:
-            self._say(partial(self._ended, progress.index + 1, progress.refusal), Level.FAULT)
+        if ours and ended_early(progress):
+            level = Level.INFO if progress.refusal is None else Level.FAULT
+            self._say(partial(self._ended, progress.index + 1, progress.refusal), level)
+            self._tells_end = True
+        elif ours and self._tells_end:
+            self._say("")  # the end of an earlier run
 
-    def _ended(self, row: int, refusal: Refusal) -> str:
+    def _ended(self, row: int, refusal: Refusal | None) -> str:
         text = self.tr("Ended at row {row}. {reason}")
-        return text.format(row=row, reason=words.refusal(refusal))
+        return text.format(row=row, reason=words.why_not(refusal)).rstrip()
 
     # Saving -----------------------------------------------------------------------------------
 
@@ -647,7 +652,7 @@ class EditorPage(Page):
         self._say(text, Level.FAULT)
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_saved = False
+        self._tells_saved = self._tells_end = False
         self._message.show_message(text, level)
 
     def _on_saved_changed(self, saved: bool) -> None:

@@ -54,6 +54,7 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.running.runner import ended_early
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
@@ -133,6 +134,7 @@ class LibraryPage(Page):
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
         self._findings = FindingsPane()
         self._found_of = ""
+        self._tells_end = False
         """The name of what the findings are about."""
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
@@ -494,11 +496,14 @@ class LibraryPage(Page):
         self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:
-        if progress.refusal is not None:
+        if ended_early(progress):
             text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name, row=progress.index + 1, reason=words.refusal(progress.refusal)
+                name=progress.name, row=progress.index + 1, reason=words.why_not(progress.refusal)
             )
-            self._say(text, Level.FAULT)
+            self._say(text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT)
+            self._tells_end = True
+        elif self._tells_end:
+            self._say("")  # the end of an earlier run
 
     def _on_started(self, name: str, options: RunOptions) -> None:
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
@@ -544,6 +549,7 @@ class LibraryPage(Page):
     # Words ------------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
+        self._tells_end = False
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
 
