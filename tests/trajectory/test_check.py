@@ -66,6 +66,22 @@ def test_a_target_beyond_a_limit_names_joint_value_and_limits() -> None:
     assert finding.joints_deg == (10, 70, -60, 101.5, 25, -20)
 
 
+def test_a_row_beyond_the_limits_is_told_as_that_first() -> None:
+    report = checked(joint(*HERE), joint(0, -30, 10, 0, 60, 0), joint(*HERE))
+
+    assert [code for code, row in found(report) if row == 1][:2] == [
+        "target_beyond_limit",
+        "links_collide",
+    ]
+
+
+def test_each_row_beyond_the_limits_is_told_also_behind_one_that_is_further_beyond() -> None:
+    report = checked(joint(0, -40, -60, 0, 0, 0), joint(0, -30, -60, 0, 0, 0), joint(*HERE))
+
+    beyond = [one for one in report.findings if one.code == "target_beyond_limit"]
+    assert [(one.row, one.params["value"]) for one in beyond] == [(0, -40.0), (1, -30.0)]
+
+
 def test_the_limits_are_those_read_from_the_arm() -> None:
     limits = list(ARM.limits)
     limits[1] = limits[1]._replace(max_deg=60.0)

@@ -278,7 +278,7 @@ def check(request: CheckRequest) -> CheckOutcome:
         found = [one if one.row is None else replace(one, row=one.row + left_out) for one in found]
         found.append(replace(BEGINS_OUTSIDE(seconds=round(left_out_s, 1)), row=left_out))
     by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
-    findings = tuple(sorted(by_place.values(), key=_rank))
+    findings = tuple(sorted(reversed(by_place.values()), key=_rank))
     return CheckOutcome(path, path.expected_s, findings, profile, changed)
 
 
@@ -450,13 +450,13 @@ def _broken_legs(
         breach = _broken_approach(ways[0], rule)
         found += [] if breach is None else [(0, breach)]
     found += [(planned + place, breach) for place, breach in breaches(ways[planned:], rule)]
-    # where a part begins is told of the end of the one before
-    found = [
-        (place, breach)
-        for place, breach in found
-        if legs[place].begin in {0, legs[place].end}
-        or legs[place].nearest(path, breach.joints_deg) > legs[place].begin
-    ]
+    # where a part begins is told of the end of the one before, its own end all the same
+    for which, (place, breach) in reversed([*enumerate(found)]):
+        leg = legs[place]
+        if leg.begin in {0, leg.end} or leg.nearest(path, breach.joints_deg) > leg.begin:
+            continue
+        at_end = None if _is_recorded(path) else _broken_end(ways[place], rule)
+        found[which : which + 1] = [] if at_end is None else [(place, at_end)]
     runs = groupby(enumerate(found), lambda one: one[1][0] - one[0] if _is_recorded(path) else one)
     for _, run in runs:
         place, breach = max((one for _, one in run), key=lambda one: one[1].outside)
@@ -470,13 +470,21 @@ def _broken_approach(way: Way, rule: Rule) -> Excess | None:
     """
     if not rule.bounds:
         return None
-    begin, end = rule.outside(way.joints_deg[[0, -1]])
-    bound = int(np.argmax(end))
-    if end[bound] > rule.exact:
-        return Excess(bound, float(end[bound]), way.end_deg)
-    if begin.max() > rule.exact:
+    at_end = _broken_end(way, rule)
+    if at_end is not None:
+        return at_end
+    if rule.outside(way.joints_deg[:1]).max() > rule.exact:
         return first_breach(way, rule)
     return next((breach for _, breach in breaches([way], rule)), None)
+
+
+def _broken_end(way: Way, rule: Rule) -> Excess | None:
+    """Return how the end of a way breaks a rule, or ``None``."""
+    (outside,) = rule.outside(way.joints_deg[-1:])
+    bound = int(np.argmax(outside))
+    if not outside[bound] > rule.exact:
+        return None
+    return Excess(bound, float(outside[bound]), way.end_deg)
 
 
 def _on_leg(path: PlannedPath, leg: _Leg, breach: Excess, found: Finding) -> Finding:
