@@ -4904,6 +4904,10 @@
         <translation>检查：未发现问题。</translation>
     </message>
     <message>
+        <source>The arm has moved since: its way to the first point is not checked.</source>
+        <translation>此后机械臂已移动：从当前位置到首点的路径未经检查。</translation>
+    </message>
+    <message>
         <source>{count} more</source>
         <translation>还有 {count} 条</translation>
     </message>

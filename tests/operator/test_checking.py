@@ -114,7 +114,7 @@ def test_a_stopped_arm_hinders_no_check(operator):
     operator.click("editor_check")
     operator.app_driver.run(0.5)
     operator.workers.work()
-    assert operator.text("findings_title") == "Check: nothing found."
+    assert operator.text("findings_title").startswith("Check: nothing found.")  # the arm sinks
 
 
 def test_a_check_says_that_the_cell_waits_for_its_confirmation(operator):
@@ -134,6 +134,24 @@ def test_a_check_says_that_the_cell_waits_for_its_confirmation(operator):
     operator.click("editor_check")
     operator.workers.work()
     assert "bench" not in operator.text("findings_title")
+
+
+def test_what_was_found_of_the_way_there_goes_when_the_arm_stands_elsewhere(operator):
+    operator.lead_to((60.0, *HERE[1:]))
+    operator.app_driver.run(0.5)
+    operator.click("editor_check")
+    operator.workers.work()
+    findings = operator.child("findings_list")
+    assert "The first point is far from where the arm is" in findings.item(0).text()
+    operator.lead_to(HERE)
+    operator.app_driver.run(0.5)
+    assert findings.count() == 0
+    assert operator.text("findings_title") == (
+        "Check: nothing found. The arm has moved since: its way to the first point is not checked."
+    )
+    operator.lead_to((60.0, *HERE[1:]))
+    operator.app_driver.run(0.5)
+    assert findings.count() == 1, "it stands where it was checked from"
 
 
 def test_an_edit_makes_the_check_worthless(operator):

@@ -178,7 +178,7 @@ class EditorPage(Page):
         self._note.setMinimumWidth(_NOTE_PX)
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
-        self._findings = FindingsPane()
+        self._findings = FindingsPane(controller)
         self._plays = self._tells_end = False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(

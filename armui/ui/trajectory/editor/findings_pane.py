@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QResizeEvent
@@ -20,6 +21,10 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.findings import finding as finding_text
 
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
+
 _TALLEST_PX = 170
 _PADDING_PX = 14
 _SIDES_PX = 32
@@ -31,6 +36,11 @@ _MOST = 100
 class FindingsPane(HasActs, Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is none.
 
+    What was found of the way to the first point is left out once the arm stands elsewhere.
+
+    Args:
+        controller: Knows where the arm stands.
+
     Signals:
         finding_wanted: The :class:`Finding` that was clicked.
         dismissed: It was closed without an answer.
@@ -41,8 +51,10 @@ class FindingsPane(HasActs, Translated, QWidget):
     accept_button = Act("Run now", named="accept_warnings", primary=True)
     _close_button = Act("Close", named="findings_close")
 
-    def __init__(self) -> None:
+    def __init__(self, controller: ArmController) -> None:
         super().__init__()
+        self._controller = controller
+        self._moved = False
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
         self._title = text_label("findings_title", wraps=True)
@@ -57,6 +69,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
         self.retranslate_ui()
+        controller.operating_state_changed.connect(self._on_operating_state)
 
     def show_check(self, checked: Preflight, accept: Callable[[], object] | None = None) -> None:
         """Show the findings of a check.
@@ -81,29 +94,41 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._list.clear()
         self.hide()
 
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        if self._checked is not None and self._moved != self._has_moved(self._checked):
+            self._fill()
+
+    def _has_moved(self, checked: Preflight) -> bool:
+        return checked.why_moved(self._controller) is not None
+
     def _fill(self) -> None:
         self.show_acts()
         checked = self._checked
         if checked is None:
             return
         self._list.clear()
-        warnings = len(checked.findings) - checked.errors
-        if checked.findings:
+        self._moved = self._has_moved(checked)
+        findings = [one for one in checked.findings if not (self._moved and one.is_of_approach)]
+        errors = sum(one.severity is Severity.ERROR for one in findings)
+        if findings:
             title = self.tr("The check found errors: {errors}, warnings: {warnings}").format(
-                errors=checked.errors, warnings=warnings
+                errors=errors, warnings=len(findings) - errors
             )
         else:
             title = self.tr("Check: nothing found.")
+        if self._moved:
+            moved = self.tr("The arm has moved since: its way to the first point is not checked.")
+            title = f"{title} {moved}"
         if (waits := checked.basis.unconfirmed) is not None:
             title = f"{title} {self._why_less(waits)}"
         self._title.setText(title)
-        for finding in checked.findings[:_MOST]:
+        for finding in findings[:_MOST]:
             self._list.addItem(self._item(finding))
-        if len(checked.findings) > _MOST:
-            count = len(checked.findings) - _MOST
+        if len(findings) > _MOST:
+            count = len(findings) - _MOST
             self._list.addItem(self.tr("{count} more").format(count=count))
         self._fit()
-        self._list.setVisible(bool(checked.findings))
+        self._list.setVisible(bool(findings))
         self.accept_button.setVisible(self._accept is not None)
 
     @accept_button.text

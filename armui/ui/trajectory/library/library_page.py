@@ -132,7 +132,7 @@ class LibraryPage(Page):
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self, background)
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
-        self._findings = FindingsPane()
+        self._findings = FindingsPane(controller)
         self._found_of = ""
         self._tells_end = False
         """The name of what the findings are about."""

@@ -160,11 +160,17 @@ class Preflight:
 
     def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
         """Return why it is not valid for a run with these options now, or ``None``."""
+        moved = self.why_moved(controller)
+        return moved or self.basis.why_other(CheckBasis.of(controller, options, self.order.content))
+
+    def why_moved(self, controller: ArmController) -> Refusal | None:
+        """Return how far the arm stands from where the way to the first point was checked.
+
+        ``None`` if it still stands there.
+        """
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
-        if moved_deg > _SAME_PLACE_DEG:
-            return MOVED_SINCE_CHECK(value=f"{moved_deg:.1f}")
-        return self.basis.why_other(CheckBasis.of(controller, options, self.order.content))
+        return MOVED_SINCE_CHECK(value=f"{moved_deg:.1f}") if moved_deg > _SAME_PLACE_DEG else None
 
 
 def carried_by(controller: ArmController, content: Content) -> dict[str, Carried]:
