@@ -13068,6 +13068,10 @@ The other program must have ended.</source>
         <translation>{percent}，工具 ≤ {speed}</translation>
     </message>
     <message>
+        <source>paused: raise the speed at the top, then hold “Continue” for 1 s</source>
+        <translation>已暂停：请先在顶栏调高速度，再按住“继续”1 秒</translation>
+    </message>
+    <message>
         <source>moving</source>
         <translation>运动中</translation>
     </message>

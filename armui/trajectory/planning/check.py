@@ -277,8 +277,10 @@ def check(request: CheckRequest) -> CheckOutcome:
         path = replace(path, rows=path.rows + left_out)
         found = [one if one.row is None else replace(one, row=one.row + left_out) for one in found]
         found.append(replace(BEGINS_OUTSIDE(seconds=round(left_out_s, 1)), row=left_out))
-    by_place = {(one.kind, one.row, one.approach): one for one in reversed(found)}
-    findings = tuple(sorted(reversed(by_place.values()), key=_rank))
+    by_place: dict[tuple[FindingKind, int | None, bool], Finding] = {}
+    for one in found:
+        by_place.setdefault((one.kind, one.row, one.approach), one)
+    findings = tuple(sorted(by_place.values(), key=_rank))
     return CheckOutcome(path, path.expected_s, findings, profile, changed)
 
 

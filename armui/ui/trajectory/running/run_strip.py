@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QProgressBar, QSizePolicy, QWidget
 
 from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
-from armui.control.run.player import NOT_RUNNING, Player
+from armui.control.run.player import NOT_RUNNING, RUN_SPEED_ZERO, Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
 from armui.ui import format as fmt
 from armui.ui import words
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
+    from armui.control.operating_state import OperatingState
 
 _STEPS: Final = 1000
 """The steps of the progress bar."""
@@ -104,6 +105,7 @@ class RunStrip(HasActs, Translated, QWidget):
         fill(row, self._pause, self._continue, self._stop, self._close)
         row.setContentsMargins(_MARGIN_PX + _GAP_PX, _TOP_PX, _MARGIN_PX + _GAP_PX, 0)
         self._runner.progressed.connect(self._on_progress)
+        controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
         self._recolor()
         self.hide()
@@ -160,6 +162,10 @@ class RunStrip(HasActs, Translated, QWidget):
             self.show()
         elif self.isVisible():
             self._show(progress)
+
+    def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        if self.isVisible() and self._is_paused:
+            self._show(self._runner.progress)
 
     def _show(self, progress: Progress) -> None:
         running = self._runner.running
@@ -225,7 +231,8 @@ class RunStrip(HasActs, Translated, QWidget):
         parts.append(self._phase_word(progress))
         if progress.percent is not None:
             parts.append(self._speed(progress.percent, progress.tool_mm_s))
-        if self._refusal is not None and progress.phase not in OVER:
+        said = self._refusal is not None and self._refusal.reason == RUN_SPEED_ZERO
+        if self._refusal is not None and progress.phase not in OVER and not said:
             parts.append(words.refusal(self._refusal))
         return " · ".join(parts)
 
@@ -239,6 +246,8 @@ class RunStrip(HasActs, Translated, QWidget):
     def _phase_word(self, progress: Progress) -> str:
         if progress.refusal is not None and progress.refusal.reason == RUN_STOPPED:
             return self.tr("ended by the emergency stop")
+        if self._is_paused and self._controller.operating_state.speed_percent == 0:
+            return self.tr("paused: raise the speed at the top, then hold “Continue” for 1 s")
         return {
             RunPhase.IDLE: "",
             RunPhase.MOVING: self.tr("moving"),
