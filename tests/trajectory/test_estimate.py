@@ -42,7 +42,9 @@ def test_it_is_what_a_check_finds_for_an_arm_that_stands_at_the_first_point(opti
 
 
 def test_without_end_it_is_that_of_one_cycle():
-    assert estimate_s(BOTH, ARM, RunOptions(cycles=0)) == estimate_s(BOTH, ARM)
+    endless = RunOptions(cycles=0)
+    assert estimate_s(BOTH, ARM, endless) == estimate_s(BOTH, ARM)
+    assert estimate_s(BOTH, ARM, endless, (90.0, *BEGIN[1:])) == estimate_s(BOTH, ARM)
 
 
 def test_lines_and_arcs_count_too():

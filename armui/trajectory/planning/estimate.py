@@ -35,7 +35,7 @@ def estimate_s(
         arm: The arm.
         options: The options of the run. For an endless run the time of one cycle is returned.
         start_deg: The six joint angles from which the arm goes to the first point; ``None`` to
-            leave that way out. The way to a recording is always left out.
+            leave that way out. The way to a recording, and of an endless run, is always left out.
         speed_percent: The operator's speed, from 1.
 
     Returns:
@@ -56,7 +56,7 @@ def estimate_s(
         if again_s is None:
             return None
         whole_s = further * again_s
-    if start_deg is not None:
+    if start_deg is not None and options.cycles:
         path = plan_path(
             Trajectory("", points=points[first:]), arm, start_deg, speed_factor=speed_factor
         )

@@ -91,8 +91,10 @@ def test_beside_send_it_is_that_of_what_is_chosen(driver):
     driver.choose("both")
     at_full_speed(driver)
     driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    assert "from where the arm stands" in effective(driver.window).toolTip()
     driver.window.findChild(QWidget, "run_cycles").setCurrentIndex(2)
     driver.app_driver.wait(lambda: told(driver.window).endswith("a run"))
+    assert "without the way to the first point" in effective(driver.window).toolTip()
     driver.window.findChild(QCheckBox, "run_steps").setChecked(True)
     assert told(driver.window) == ""
     assert "as long as the operator" in effective(driver.window).toolTip()

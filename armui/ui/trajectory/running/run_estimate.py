@@ -144,11 +144,10 @@ class RunEstimate(QObject):
         def read(content: Content | None) -> None:
             if self._of is asked and asked is not None and content is not None:
                 here = self._checks.stands_at_deg is not None
-                self.from_here = here and not isinstance(content, Recording)
-                percents = (FULL_PERCENT, self._percent())
-                self._job = self._checks.estimate(
-                    content, self._options(), percents, self._on_known
-                )
+                options, percents = self._options(), (FULL_PERCENT, self._percent())
+                counts = bool(options.cycles) and not isinstance(content, Recording)
+                self.from_here = here and counts
+                self._job = self._checks.estimate(content, options, percents, self._on_known)
 
         self._content(read)
 
