@@ -23,8 +23,14 @@ from armui.control.motion.motion_command import (
     Observation,
     why_held,
 )
-from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching, why_silent
-from armui.control.safety.interlocks import MOVABLE_STATUSES
+from armui.control.safety.feedback_freshness import (
+    FEEDBACK_SILENT,
+    any_motor_off,
+    in_drag_teaching,
+    late_angles,
+    why_silent,
+)
+from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_STATUSES
 from armui.control.safety.other_command import OtherCommand
 from armui.control.safety.overspeed import OverspeedWatch
 from armui.control.safety.standstill import RestWatch, why_moving
@@ -294,11 +300,16 @@ class Authority:
         seen = self._seen
         if seen is None:
             return None
-        now_s = seen.now_s
-        late = any(
-            each is None or now_s - each.at_s > _MOVING_FRESH_S for each in seen.state.joints_deg
-        )
+        late = late_angles(seen.state, seen.now_s, _MOVING_FRESH_S)
         return None if late and not self.at_rest else seen.state.angles_deg()
+
+    def why_unmeasured(self) -> Refusal:
+        """Return why there are no angles to start from: some were never heard, or come late."""
+        seen = self._seen
+        if seen is None or seen.state.angles_deg() is None:
+            return JOINTS_UNKNOWN()
+        late = late_angles(seen.state, seen.now_s, _MOVING_FRESH_S)
+        return FEEDBACK_SILENT(frames=", ".join(late), seconds=_MOVING_FRESH_S)
 
     def tool_base(self) -> Matrix | None:
         """Return the tool's last target while it is ours, even if the tool has not reached it."""

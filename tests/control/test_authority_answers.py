@@ -8,6 +8,7 @@ from armui.control.authority import Authority
 from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.motion_command import HELD_AT_ZERO, PLAN_PAUSED, CommandKind, End, Mover
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codes import ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
@@ -165,6 +166,9 @@ def test_the_angles_of_a_moving_arm_are_known_for_a_twentieth_of_a_second(arm, a
     arm.now_s += age_s
     arm.look()
     assert (arm.authority.measured_deg() is not None) is known
+    if not known:
+        late = FEEDBACK_SILENT(frames="0x2A5, 0x2A6, 0x2A7", seconds=0.05)
+        assert arm.authority.why_unmeasured() == late
 
 
 def test_the_angles_of_a_resting_arm_may_be_older(arm):
@@ -179,6 +183,7 @@ def test_angles_that_were_never_heard_are_none(arm):
     arm._joints = (*arm._joints[:5], None)
     arm.look()
     assert arm.authority.measured_deg() is None
+    assert arm.authority.why_unmeasured() == JOINTS_UNKNOWN()
 
 
 # Modes --------------------------------------------------------------------------------------------

@@ -253,7 +253,7 @@ class Cartesian(ControllerPart):
         unknown = self.why_no_frame(frame) or self.why_unknown()
         measured_deg = self._context.authority.measured_deg()
         if unknown is not None or measured_deg is None:
-            return unknown or JOINTS_UNKNOWN()
+            return unknown or self._context.authority.why_unmeasured()
         measured = poses.tool_matrix(self.kinematics().matrix(measured_deg), self.tool)
         base = self._base(measured)
         target = poses.shifted(base, axis, amount, axes_of(frame))

@@ -20,7 +20,6 @@ from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
-from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
@@ -178,7 +177,7 @@ class Motion(ControllerPart):
         """Move one joint by a step at once; the other five keep their targets."""
         base_deg = self._context.authority.joint_base_deg()
         if base_deg is None:
-            return JOINTS_UNKNOWN()
+            return self._context.authority.why_unmeasured()
         limits = self._context.operating_state().limits
         base_deg = settled(base_deg, limits)
         refusal = _why_no_step(joint, base_deg[joint - 1], delta_deg, limits[joint - 1])

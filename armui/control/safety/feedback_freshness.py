@@ -21,12 +21,22 @@ def why_silent(state: ArmState, now_s: float) -> Refusal | None:
     A motion needs the status (0x2A1) and the six joint angles (0x2A5 to 0x2A7).
     """
     missing = [] if _fresh(state.status, now_s) else ["0x2A1"]
-    for pair, name in enumerate(("0x2A5", "0x2A6", "0x2A7")):
-        if not all(_fresh(each, now_s) for each in state.joints_deg[2 * pair : 2 * pair + 2]):
-            missing.append(name)
+    missing += late_angles(state, now_s, FRESH_FOR_S)
     if not missing:
         return None
     return FEEDBACK_SILENT(frames=", ".join(missing), seconds=FRESH_FOR_S)
+
+
+def late_angles(state: ArmState, now_s: float, within_s: float) -> list[str]:
+    """Return the frames of joint angles that were not heard within some seconds."""
+    return [
+        name
+        for pair, name in enumerate(("0x2A5", "0x2A6", "0x2A7"))
+        if any(
+            each is None or now_s - each.at_s > within_s
+            for each in state.joints_deg[2 * pair : 2 * pair + 2]
+        )
+    ]
 
 
 def _fresh(heard: Reading[Any] | None, now_s: float) -> bool:

@@ -23,7 +23,6 @@ from armui.control.motion.jog_pace import accelerations
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
 from armui.control.operations.started import Ending, Started
 from armui.control.operations.telling import close_and_tell
-from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.telemetry.events import EventKind, Level
@@ -290,10 +289,8 @@ class Gate(ControllerPart):
         now = context.refresh()
         refusal = request.why_not(now) or context.why_no_motion()
         measured_deg = context.authority.measured_deg()
-        if refusal is None and measured_deg is None:
-            refusal = JOINTS_UNKNOWN()
         if refusal is not None or measured_deg is None:
-            return refusal or JOINTS_UNKNOWN()
+            return refusal or context.authority.why_unmeasured()
         planned = request.plan(measured_deg)
         if isinstance(planned, Refusal):
             return planned
@@ -461,7 +458,7 @@ class Gate(ControllerPart):
             return judged.refusal
         measured_deg = self._context.authority.measured_deg()
         if measured_deg is None:
-            return JOINTS_UNKNOWN()
+            return self._context.authority.why_unmeasured()
         away_deg = max(abs(a - b) for a, b in zip(measured_deg, judged.begin_deg, strict=True))
         # The answer counts only for the rules and the place that were checked (S35).
         if self.rules() is not pending.rules or away_deg > _SAME_DEG:
