@@ -10,6 +10,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.teaching_panel import TeachingExitSteps
+from tests.accepted import accepted
 from tests.generations import ONE_IS_ENOUGH
 
 THERE_DEG = (10.0, 40.0, -30.0, 0.0, 0.0, 0.0)
@@ -97,6 +98,39 @@ def test_recording_begins_with_a_warning_and_ends_with_the_arms_word(enabled):
     assert enabled.read("teaching_state") == "Recording ended; still in drag teaching"
     assert usable(enabled) == {"start_recording", "run_recording", "move_to_start"}
     assert enabled.firmware.teaching.recording[-1] == pytest.approx(THERE_DEG)
+
+
+def withhold(app_driver, monkeypatch, ids):
+    """The arm's frames of these identifiers do not come."""
+    send = app_driver.node._send
+
+    def send_others(frames):
+        return send([each for each in frames if each.arbitration_id not in ids])
+
+    monkeypatch.setattr(app_driver.node, "_send", send_others)
+
+
+@ONE_IS_ENOUGH
+def test_the_question_of_a_recording_outlasts_feedback_that_is_late(enabled, monkeypatch):
+    enabled.click("teaching_start_recording")
+    with monkeypatch.context() as late:
+        withhold(enabled, late, {0x263})
+        enabled.run_until(lambda: None in enabled.controller.operating_state.enabled)
+        enabled.run(0.2)
+        assert isValid(enabled.dialog(ConfirmDialog))
+    enabled.run(0.3)
+    enabled.heard()
+    enabled.confirm()
+    enabled.step()
+    assert enabled.heard() == [teach(1)]
+
+
+@ONE_IS_ENOUGH
+def test_the_panel_says_that_a_question_was_withdrawn(enabled):
+    enabled.click("teaching_start_recording")
+    accepted(enabled.controller.motors.disable())
+    enabled.run(1.0)
+    assert "nothing was sent" in enabled.read("teaching_message")
 
 
 def test_a_replay_is_paused_continued_and_terminated(taught):

@@ -37,9 +37,8 @@ from armui.control.run.progress import (
     sent_percent,
 )
 from armui.control.run.replay import RUN_EMPTY
-from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.gate import MotionRequest
-from armui.control.safety.interlocks import ENABLED_UNKNOWN, JOINTS_UNKNOWN, SPEED_ZERO
+from armui.control.safety.interlocks import PASSING, SPEED_ZERO
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import GripperAction, Waypoint
@@ -92,8 +91,6 @@ _REST_WITHIN_S: Final = 2.0
 
 
 _UNKNOWN_FOR_S: Final = 1.0
-_PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
-"""The reasons that the next frame may remove."""
 
 
 def why_not_run(now: OperatingState) -> Refusal | None:
@@ -287,7 +284,7 @@ class Player(Execution):
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None
-        if reason is None or reason.reason not in _PASSING:
+        if reason is None or reason.reason not in PASSING:
             self._known_s = now_s
             return reason
         return reason if now_s - self._known_s > _UNKNOWN_FOR_S else None

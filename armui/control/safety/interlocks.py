@@ -7,6 +7,7 @@ from typing import Final
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, Six
 from armui.control.operating_state import BUSY, Busy, StopState
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.protocol.codes import ArmStatusCode, ControlMode
 
 STOP_REQUESTED = Reason(
@@ -49,6 +50,8 @@ SPEED_ZERO = Reason(
     "The speed is set to 0 %: the arm would not move. Set a speed from 1 to 100 % at the top.",
 )
 
+PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
+"""The reasons that the next frame may remove."""
 
 MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 

@@ -9,6 +9,7 @@ from typing import Final, TypeVar
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QFrame, QGridLayout, QLabel
 
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.arm_controller import ArmController
 from armui.control.devices.teaching import TEACHING_UNANSWERED, TeachingControl
@@ -17,6 +18,7 @@ from armui.control.events import Event, Level
 from armui.control.motion.planned_motion import PlannedMotion
 from armui.control.operating_state import OperatingState
 from armui.control.operations.started import refusal_of
+from armui.control.safety.interlocks import PASSING
 from armui.control.safety.recovery_steps import UNHINDERED, Action, Step, StepKind
 from armui.protocol.codes import TeachingState, TrajectoryCommand
 from armui.ui import format as fmt
@@ -201,6 +203,8 @@ class TeachingPanel(Panel):
         self._open_backup = open_backup
         self._assistance: DragAssistanceDialog | None = None
         self._unanswered: Event | None = None
+        self._withdrawn: Refusal | None = None
+        """Why a question was withdrawn; told until the next press."""
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
         self._state = text_label("teaching_state", wraps=True)
@@ -250,6 +254,7 @@ class TeachingPanel(Panel):
 
     @teach.pressed
     def _on_command(self, command: TeachingState) -> None:
+        self._withdrawn = None
         label = words.teaching_command(command)
         if command is TeachingState.START_RECORDING:
             title = words.step_question(Action.LEAD_BY_HAND)
@@ -266,8 +271,18 @@ class TeachingPanel(Panel):
             text=text,
             action_label=label,
             on_confirmed=lambda: self._command(command),
-            still=lambda: why_not_teach(self._controller.operating_state, command) is None,
+            still=lambda: self._still_asked(command),
+            on_withdrawn=self._on_withdrawn,
         )
+
+    def _still_asked(self, command: TeachingState) -> bool:
+        """Return whether a question holds: late feedback, which may come yet, does not end it."""
+        reason = why_not_teach(self._controller.operating_state, command)
+        return reason is None or reason.reason in PASSING
+
+    def _on_withdrawn(self, reason: Refusal) -> None:
+        self._withdrawn = reason
+        self._show_all()
 
     def _danger(self, command: TeachingState) -> str:
         """Return the warning to be agreed to before a command that has the arm move by itself."""
@@ -294,6 +309,7 @@ class TeachingPanel(Panel):
 
     @plan.pressed
     def _on_plan(self, plan: TrajectoryCommand) -> None:
+        self._withdrawn = None
         self._unanswered = None
         self._refusal = refusal_of(self._controller.planned_motion.command(plan))
         self._show_all()
@@ -371,7 +387,8 @@ class TeachingPanel(Panel):
 
     def _tell(self) -> None:
         controller = self._controller
-        refusal = self._refusal or self._unless_told(self._operating_state.unreachable)
+        unreachable = self._unless_told(self._operating_state.unreachable)
+        refusal = self._refusal or unreachable or self._withdrawn
         if refusal is not None:
             self._say(refusal)
         elif controller.teaching.pending is not None:
