@@ -502,16 +502,16 @@
         <translation>填入当前工具位姿；平面的 Z 轴就是工具的 Z 轴。</translation>
     </message>
     <message>
-        <source>Stop when a hand or another program enters</source>
-        <translation>用手或由其他程序带入时停住机械臂</translation>
-    </message>
-    <message>
         <source>Add plane</source>
         <translation>添加平面</translation>
     </message>
     <message>
         <source>Planes and boxes of the work area</source>
         <translation>工作区的平面和长方体</translation>
+    </message>
+    <message>
+        <source>Halt when others move it into the area</source>
+        <translation>其他程序或手带入工作区时停住</translation>
     </message>
     <message>
         <source>Plane or box</source>
@@ -534,6 +534,10 @@
         <translation>删除所选的平面或长方体。</translation>
     </message>
     <message>
+        <source>Halt when a hand or another program enters</source>
+        <translation>用手或由其他程序带入时停住机械臂</translation>
+    </message>
+    <message>
         <source>Box, edges</source>
         <translation>长方体边长</translation>
     </message>
@@ -552,10 +556,6 @@
     <message>
         <source>The arm stays on the side to which the plane&apos;s Z axis points.</source>
         <translation>机械臂留在平面 Z 轴所指的一侧。</translation>
-    </message>
-    <message>
-        <source>It is told in any case. A stop holds the arm where it is, powered.</source>
-        <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
     </message>
     <message>
         <source>Delete a plane or box</source>
@@ -582,10 +582,6 @@
         <translation>向工作区添加长方体</translation>
     </message>
     <message>
-        <source>Stop when others move it into the area</source>
-        <translation>其他程序或手带入工作区时停住</translation>
-    </message>
-    <message>
         <source>Apply the figures of the area</source>
         <translation>应用工作区的数值</translation>
     </message>
@@ -596,6 +592,10 @@
     <message>
         <source>Take the pose of a user frame</source>
         <translation>取用户坐标系的位姿</translation>
+    </message>
+    <message>
+        <source>It is told in any case. A halt holds the arm where it is, powered.</source>
+        <translation>无论如何都会提示。停住时机械臂原地保持，不断电。</translation>
     </message>
     <message>
         <source>below it</source>
@@ -8416,6 +8416,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已向机械臂发送 {count} 项参数</translation>
     </message>
     <message>
+        <source>Settings saved and read back: {settings}</source>
+        <translation>设置已保存并回读：{settings}</translation>
+    </message>
+    <message>
         <source>{count} of {total} settings did not take effect. {reason}</source>
         <translation>{total} 项参数中有 {count} 项未生效。{reason}</translation>
     </message>
@@ -8602,10 +8606,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Connected to {device} again</source>
         <translation>已重新连接 {device}</translation>
-    </message>
-    <message>
-        <source>Settings saved and read back unchanged: {settings}</source>
-        <translation>设置已保存，回读一致：{settings}</translation>
     </message>
     <message>
         <source>The arm is online.</source>

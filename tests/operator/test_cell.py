@@ -12,6 +12,7 @@ from armui.cell.cell_file import read_cell, to_text
 from armui.cell.held_objects import HeldObject
 from armui.cell.tools import Tool
 from armui.cell.work_area import Area, AreaBox
+from armui.kinematics.axes import AXES
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.panels.cell.cell_panel import CellPanel
@@ -364,9 +365,29 @@ def test_without_a_cell_no_pose_is_taken(panel, tab, way, take):
     assert button.property("primary")
 
 
+def figures_of(panel):
+    return [panel.read(f"cell_area_{axis}") for axis in AXES]
+
+
+@pytest.mark.parametrize("tab", ["tools", "frames", "area", "held", "base"])
+def test_the_figures_of_a_pose_have_units(panel, tab):
+    panel.click(f"cell_tab_{tab}")
+    part = tab.rstrip("s")
+    units = [panel.find(f"cell_{part}_{axis}").unit for axis in AXES]
+    assert units == ["mm"] * 3 + ["°"] * 3
+
+
+def test_what_halts_is_not_called_a_stop(panel):
+    panel.click("cell_tab_area")
+    halts = panel.find("cell_area_stops")
+    assert halts.text() == "Halt when a hand or another program enters"
+    assert "stop" not in halts.toolTip().lower()
+
+
 def test_a_box_of_which_no_place_is_typed_stands_in_front_of_the_arm(panel):
     panel.type_into("cell_name", "bench")
     panel.click("cell_tab_area")
+    assert figures_of(panel) == ["450.000", "0.000", "50.000", "0.000", "0.000", "0.000"]
     panel.type_into("cell_area_name", "crate")
     panel.click("cell_area_box")
     (crate,) = panel.controller.cell.cell.area.boxes

@@ -261,7 +261,10 @@ def test_warnings_are_run_once_they_are_accepted(app_driver):
     assert app_driver.heard() == []  # far from where the arm is
     findings = operator.child("findings_list", QListWidget)
     assert findings.item(0).text().startswith("! Warning")
+    insert = operator.child("box_insert")
+    assert not insert.property("primary")  # the answer alone is what comes next
     operator.click("accept_warnings")
+    assert insert.property("primary")
     operator.until_over()
     assert operator.progress.phase is RunPhase.DONE
 

@@ -374,7 +374,7 @@ def test_saved_settings_are_named() -> None:
         return notice_text(SETTINGS_SAVED, figures)
 
     one = said(count=1, settings="max_speed_deg_s.3")
-    assert one == "Settings saved and read back unchanged: J3 Max. speed"
+    assert one == "Settings saved and read back: J3 Max. speed"
     level = " ".join(f"collision_level.{joint}" for joint in range(1, 7))
     assert said(count=6, settings=level).endswith("J4 Collision level, +2")
     assert said(count=6).endswith(": 6")  # a file of an older version

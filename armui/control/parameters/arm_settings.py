@@ -50,7 +50,7 @@ SETTINGS_SENT = Notice(
 )
 SETTINGS_SAVED = Notice(
     "settings_saved",
-    "Settings saved and read back unchanged: {settings}",
+    "Settings saved and read back: {settings}",
     Level.DONE,
     EventKind.RESULT,
 )

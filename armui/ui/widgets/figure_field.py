@@ -31,7 +31,7 @@ class FigureField(QLineEdit):
         super().__init__()
         self.step = 1.0
         self._decimals = decimals
-        self._unit = unit
+        self.unit = unit
         self._committed = ""
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setPlaceholderText(fmt.NOTHING)
@@ -80,9 +80,9 @@ class FigureField(QLineEdit):
 
     def _unit_px(self) -> int:
         """Return the width of the unit in pixels; only a degree sign has no gap before it."""
-        if self._unit in {"", "°"}:
-            return 5 * len(self._unit)
-        return self.fontMetrics().horizontalAdvance(self._unit) + 5
+        if self.unit in {"", "°"}:
+            return 5 * len(self.unit)
+        return self.fontMetrics().horizontalAdvance(self.unit) + 5
 
     def _on_editing_finished(self) -> None:
         value = self.value
@@ -114,12 +114,12 @@ class FigureField(QLineEdit):
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the unit behind the figure."""
         super().paintEvent(event)
-        if not (self.text() and self._unit):
+        if not (self.text() and self.unit):
             return
         painter = QPainter(self)
         colors = colors_of(self)
         painter.setPen(QColor(colors.muted if self.isEnabled() else colors.faint))
         area = self.rect().adjusted(0, 0, -9, 0)
         flags = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-        painter.drawText(area, flags, self._unit)
+        painter.drawText(area, flags, self.unit)
         painter.end()

@@ -50,6 +50,7 @@ def test_a_value_between_two_steps_is_saved_as_the_nearest_and_that_is_said(join
     nearest = "100.3" if generation(joints) is Generation.TWO else "102.0"
     assert joints.read("max_speed_deg_s_1") == nearest
     assert f"J1 Max. speed {nearest}°/s" in joints.read("joint_settings_message")
+    assert "unchanged" not in joints.read("notice_label")
 
 
 def test_a_value_the_arm_answers_and_does_not_take(joints):

@@ -25,7 +25,7 @@ from armui.ui.words.text import Text
 from armui.viewport.robot_shape import pose_rows
 
 _IN_FRONT: Final = (450.0, 0.0, 50.0, 0.0, 0.0, 0.0)
-"""The place of a box of which none was typed: on the table in front of the arm, in its picture."""
+"""The place proposed for the first one: on the table in front of the arm, in its picture."""
 
 
 class AreaTab(NamedTab):
@@ -40,7 +40,7 @@ class AreaTab(NamedTab):
         Command("cell.area_zone", Text("AreaTab", "Planes and boxes of the work area")),
         change_command("cell.area_switch", Text("AreaTab", "Switch a plane or box")),
         change_command(
-            "cell.area_stops", Text("AreaTab", "Stop when others move it into the area")
+            "cell.area_stops", Text("AreaTab", "Halt when others move it into the area")
         ),
     )
     changes = NamedTab.changes_of(
@@ -143,9 +143,8 @@ class AreaTab(NamedTab):
         return self._box(on)
 
     def _box(self, on: bool = True) -> AreaBox:
-        """Return the box as typed; one without a pose stands where it is seen."""
-        pose = figures(self._fields) if any(each.text() for each in self._fields) else _IN_FRONT
-        return AreaBox(self._name.text().strip(), pose, figures(self._sizes), on)
+        name, pose = self._name.text().strip(), figures(self._fields)
+        return AreaBox(name, pose, figures(self._sizes), on)
 
     def _on_apply(self) -> None:
         if self._thing is not None:
@@ -171,7 +170,7 @@ class AreaTab(NamedTab):
         self._stops.setChecked(self._area.stops_others)
         none = "" if zone is not None else self._texts().missing
         enable_or_explain(self._on, why_not or none, self.tr("Off: it counts for nothing."))
-        use = self.tr("It is told in any case. A stop holds the arm where it is, powered.")
+        use = self.tr("It is told in any case. A halt holds the arm where it is, powered.")
         enable_or_explain(self._stops, why_not, use)
         self._frames.clear()
         for frame in self._cell.frames:
@@ -183,9 +182,11 @@ class AreaTab(NamedTab):
         return f"{kind}: {thing.name}{off}"
 
     def _fill(self, thing: Any) -> None:
-        """Fill the fields; of what was shown the figures stay for a new one."""
+        """Fill the fields; of what was shown the figures stay for a new one, or are proposed."""
         if thing is None:
             self._name.clear()
+            if not any(field.text() for field in self._fields):
+                self.take_pose(_IN_FRONT)
         else:
             super()._fill(thing)
         sizes_mm = thing.size_mm if isinstance(thing, AreaBox) else AreaBox("").size_mm
@@ -266,7 +267,7 @@ class AreaTab(NamedTab):
         super().retranslate_ui()
         self._name.setAccessibleName(self.tr("Name of the plane or box"))
         caption(self._on, self.tr("On"), whose=self.tr("Plane or box"))
-        caption(self._stops, self.tr("Stop when a hand or another program enters"))
+        caption(self._stops, self.tr("Halt when a hand or another program enters"))
         self._size_label.setText(self.tr("Box, edges"))
         self._margin_label.setText(self.tr("Margin"))
         self._margin.setAccessibleName(self.tr("Margin of the work area"))

@@ -17,6 +17,7 @@ from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import (
+    UNITS,
     Answered,
     CellTab,
     figures,
@@ -57,7 +58,10 @@ class BaseTab(CellTab):
         self._shown: tuple[Placement, ...] = ()
         self._next = hint_label("cell_base_next")
         self._heading = QLabel()
-        self._fields = [named(f"cell_base_{axis}", FigureField(fmt.DECIMALS)) for axis in AXES]
+        self._fields = [
+            named(f"cell_base_{axis}", FigureField(fmt.DECIMALS, unit))
+            for axis, unit in UNITS.items()
+        ]
         self._mounting = text_label("cell_base_mounting", rank="warning", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         grid = pose_grid(self._fields)

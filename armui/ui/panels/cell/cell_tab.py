@@ -34,6 +34,8 @@ Answered = Callable[[Started | Refusal | None], bool]
 
 
 NARROW_PX: Final = 56
+UNITS: Final = dict(zip(AXES, ("mm",) * LINEAR_AXES + ("°",) * LINEAR_AXES, strict=True))
+"""The unit of each figure of a pose."""
 """The least width of fields and buttons that share a row."""
 
 

@@ -25,6 +25,7 @@ from armui.ui import format as fmt
 from armui.ui.actions.act import Act, ActFamily
 from armui.ui.panels.cell.cell_tab import (
     NARROW_PX,
+    UNITS,
     Answered,
     CellTab,
     CurrentStack,
@@ -140,7 +141,7 @@ class NamedTab(CellTab):
         self._name = named(f"{name}_name", QLineEdit())
         self._name.setMaxLength(LONGEST_NAME)
         self._figures: list[FigureField] = []
-        self._fields = [self._figure(axis, fmt.DECIMALS) for axis in AXES]
+        self._fields = [self._figure(axis, fmt.DECIMALS, unit) for axis, unit in UNITS.items()]
         self._sizes: list[FigureField] = []
         self._search = search
         self._ways = CurrentStack()

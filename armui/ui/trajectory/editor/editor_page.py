@@ -42,7 +42,7 @@ from armui.ui.trajectory.editor.points_table import PointsTable
 from armui.ui.trajectory.running.preflight import Checks, Preflight
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.trajectory.running.runner import ended_early
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
@@ -89,6 +89,10 @@ class EditorJog(Translated, QWidget):
             self._box.refused.connect(self.refused)
             self._column.addWidget(self._box)
         self.setVisible(wanted)
+
+    def give_way(self, asked: bool) -> None:
+        """Leave the primary button to a question that is asked."""
+        show_primary(self._insert, wanted=not asked)
 
     @property
     def with_gripper(self) -> bool:
@@ -271,6 +275,7 @@ class EditorPage(Page):
         self._jog.refused.connect(self._on_jogged)
         self._findings.finding_wanted.connect(self._show_finding)
         self._findings.dismissed.connect(self._run_bar.drop_check)
+        self._findings.asks.connect(self._jog.give_way)
         self.document.changed.connect(self._on_points)
         self._controller.cell_changed.connect(self._on_cell_changed)
 

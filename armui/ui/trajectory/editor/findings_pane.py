@@ -44,10 +44,12 @@ class FindingsPane(HasActs, Translated, QWidget):
     Signals:
         finding_wanted: The :class:`Finding` that was clicked.
         dismissed: It was closed without an answer.
+        asks: Whether it asks for an answer.
     """
 
     finding_wanted = Signal(object)
     dismissed = Signal()
+    asks = Signal(bool)
     accept_button = Act("Run now", named="accept_warnings", primary=True)
     _close_button = Act("Close", named="findings_close")
 
@@ -93,6 +95,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._checked = self._accept = None
         self._list.clear()
         self.hide()
+        self.asks.emit(False)
 
     def _on_operating_state(self, _operating_state: OperatingState) -> None:
         if self._checked is not None and self._moved != self._has_moved(self._checked):
@@ -130,6 +133,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._fit()
         self._list.setVisible(bool(findings))
         self.accept_button.setVisible(self._accept is not None)
+        self.asks.emit(self._accept is not None)
 
     @accept_button.text
     def _accept_text(self) -> str:
