@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QComboBox, QListWidget, QSpinBox, QToolTip, QWidget
+from PySide6.QtWidgets import QAbstractButton, QComboBox, QListWidget, QSpinBox, QToolTip, QWidget
 
 from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
@@ -253,6 +253,23 @@ def test_errors_of_the_check_are_not_run(app_driver):
     assert operator.window.model.headerData(1, Qt.Orientation.Vertical) == "✕ 2"
 
 
+def test_beside_a_question_no_other_button_is_lit(app_driver):
+    operator = Operator(app_driver, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
+    operator.click("editor_jog")
+    assert operator.child("box_insert").property("primary")
+    operator.click("run_send")
+    app_driver.run(0.2)
+    lit = [each.objectName() for each in buttons_of(operator) if each.property("primary")]
+    assert lit == ["accept_warnings"]
+    operator.click("findings_close")
+    assert operator.child("box_insert").property("primary")
+
+
+def buttons_of(operator):
+    buttons = operator.window.findChildren(QAbstractButton)
+    return [each for each in buttons if each.isVisible()]
+
+
 def test_warnings_are_run_once_they_are_accepted(app_driver):
     operator = Operator(app_driver, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
     app_driver.heard()
@@ -261,10 +278,7 @@ def test_warnings_are_run_once_they_are_accepted(app_driver):
     assert app_driver.heard() == []  # far from where the arm is
     findings = operator.child("findings_list", QListWidget)
     assert findings.item(0).text().startswith("! Warning")
-    insert = operator.child("box_insert")
-    assert not insert.property("primary")  # the answer alone is what comes next
     operator.click("accept_warnings")
-    assert insert.property("primary")
     operator.until_over()
     assert operator.progress.phase is RunPhase.DONE
 

@@ -61,6 +61,16 @@ def test_the_gripper_has_an_editor_of_its_own(editor):
     assert editor.text(0, PointColumn.GRIPPER) == "35 mm, 1 N·m"
 
 
+def test_a_figure_typed_into_a_cell_of_the_gripper_is_an_opening(editor):
+    editor.edit(0, PointColumn.GRIPPER)
+    for digit in "35":
+        QTest.keyClick(focused(), digit)
+    QTest.keyClick(focused(), Qt.Key.Key_Tab)
+    QTest.keyClick(focused(), Qt.Key.Key_Tab)
+    QTest.keyClick(focused(), Qt.Key.Key_Tab)
+    assert editor.points[0].gripper == GripperOpening(35.0, 1.0)
+
+
 def focused():
     """The widget that has the focus."""
     widget = QApplication.focusWidget()

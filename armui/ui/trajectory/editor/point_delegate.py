@@ -155,8 +155,19 @@ class GripperEditor(_Row):
         self.holds.addItems(["", "", *held])
         self._layout.addWidget(self.holds)
         self.kind.currentIndexChanged.connect(self._on_kind)
+        self.kind.installEventFilter(self)
         self.retranslate_ui()
         self._on_kind(0)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take a figure typed on the kind as the place: an opening, unless an angle is chosen."""
+        typed = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress
+        if not (typed and event.text().isdigit()):  # type: ignore[attr-defined]  # a key's
+            return super().eventFilter(watched, event)
+        self.kind.setCurrentIndex(self.kind.currentIndex() or 1)
+        self.place.setFocus()
+        self.place.setText(event.text())  # type: ignore[attr-defined]  # as above
+        return True
 
     def retranslate_ui(self) -> None:
         """Set the kinds in the operator's language."""
