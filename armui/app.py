@@ -446,6 +446,8 @@ def _run_window(
             program.window.pages.trajectories.open_file(options.file)
         keep_from_collector()
 
+    if device is not None:
+        program.controller.expect_device()
     program.window.show()
     AfterFirstPaint(program.window, begin)
     _GoingFirst(app, program.controller)

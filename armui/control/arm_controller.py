@@ -200,6 +200,11 @@ class ArmController(ControllerParts):
 
         return interfaces()
 
+    def expect_device(self) -> None:
+        """Show that a device is about to be connected: loading what that needs takes a while."""
+        self._connection.expect()
+        self._refresh()
+
     def connect_device(self, device: Device) -> None:
         """Leave the present device, if any, and open this one."""
         self.disconnect_device()

@@ -13,6 +13,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 import pytest
 from PySide6.QtWidgets import QApplication, QDialog, QPushButton
 
+from armui.control.link.link_state import LinkState
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.table_import.columns_page import ColumnsPage
@@ -100,6 +101,19 @@ def test_a_table_of_another_program_runs_after_few_presses(app_driver, tmp_path,
     app_driver.run_until(lambda: not (controller.player.running or controller.replayer.running), 60)
     last = [float(each) for each in table.split()[-1].split(",")][-6:]
     assert app_driver.firmware.joints_deg == pytest.approx(last, abs=1.0)
+
+
+def test_a_device_that_is_about_to_be_connected_is_not_called_missing(app_driver):
+    assert "No arm is connected" in app_driver.read("recovery_text")
+    app_driver.controller.expect_device()
+    assert app_driver.read("recovery_text") == "The device is being opened."
+    assert "Connecting…" in app_driver.find("communication_button").text()
+    assert not app_driver.find("recovery_button").isVisible()
+    app_driver.connect()
+    assert app_driver.controller.operating_state.link is LinkState.ONLINE
+    app_driver.controller.disconnect_device()
+    app_driver.run(0.1)
+    assert "No arm is connected" in app_driver.read("recovery_text")
 
 
 def test_the_first_window_says_english_to_who_cannot_read_it(app_driver):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unittest.mock import Mock
+
 from PySide6.QtWidgets import QWidget
 
 from armui import app
@@ -40,3 +42,16 @@ def test_a_window_that_nobody_sees_is_not_waited_for_long(qtbot, monkeypatch):
     qtbot.addWidget(window)
     AfterFirstPaint(window, lambda: done.append("begun"))
     qtbot.waitUntil(lambda: done == ["begun"])
+
+
+def test_the_window_is_shown_with_its_device_expected(qtbot, monkeypatch):
+    happened = []
+    program = Mock()
+    program.controller.expect_device.side_effect = lambda: happened.append("expected")
+    program.window.show.side_effect = lambda: happened.append("shown")
+    for part in ("AfterFirstPaint", "_GoingFirst", "QTimer"):
+        monkeypatch.setattr(app, part, Mock())
+    app._run_window(Mock(), program, Mock(), app.SIMULATED[0], Mock())
+    assert happened == ["expected", "shown"]
+    app._run_window(Mock(), program, Mock(), None, Mock())
+    assert happened == ["expected", "shown", "shown"]

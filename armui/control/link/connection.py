@@ -161,10 +161,10 @@ class Connection(QObject):
     @property
     def link(self) -> LinkState:
         """The state of the link to the arm."""
-        if self._worker is None:
-            return LinkState.NO_DEVICE
         if self._bus_state is BusState.OPENING:
             return LinkState.OPENING
+        if self._worker is None:
+            return LinkState.NO_DEVICE
         if self._bus_state is BusState.LOST:
             return LinkState.LOST
         return LinkState.ONLINE if self._online else LinkState.OFFLINE
@@ -214,6 +214,10 @@ class Connection(QObject):
     def generation(self) -> Generation | None:
         """The protocol generation of the arm, or ``None`` while it is unknown."""
         return self.handshake.generation if self.handshake is not None else None
+
+    def expect(self) -> None:
+        """Count a device as being opened that will be in a moment."""
+        self._bus_state = BusState.OPENING
 
     def open(self, device: Device) -> None:
         """Open a device; no other may be open."""

@@ -463,3 +463,5 @@ class Step:
 
 NO_DEVICE: Final = Step(StepKind.NO_DEVICE, Level.INFO, action=Action.CONNECT)
 """The step while no device is connected."""
+OPENING: Final = Step(StepKind.OPENING, Level.INFO)
+"""The step while one is being opened."""

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWi
 from armui.control.events import Level
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
-from armui.control.safety.recovery_steps import NO_DEVICE, Action, Step, StepKind
+from armui.control.safety.recovery_steps import NO_DEVICE, OPENING, Action, Step, StepKind
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.theme import Colors, colors_of
@@ -200,8 +200,10 @@ class RecoveryLine(Translated, QWidget):
         self._step = step
         self._show_step()
 
-    def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
-        if self._button.isVisible() or self._hold_button.isVisible():
+    def _on_operating_state_changed(self, now: OperatingState) -> None:
+        if self._step is NO_DEVICE and now.link is LinkState.OPENING:
+            self._on_step_changed(OPENING)  # the device is only expected
+        elif self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
 
     def _show_step(self) -> None:
