@@ -64,7 +64,7 @@ def test_the_gripper_has_an_editor_of_its_own(editor):
 def test_a_figure_typed_into_a_cell_of_the_gripper_is_an_opening(editor):
     editor.edit(0, PointColumn.GRIPPER)
     for digit in "35":
-        QTest.keyClick(focused(), digit)
+        QTest.keyClicks(focused(), digit)
     QTest.keyClick(focused(), Qt.Key.Key_Tab)
     QTest.keyClick(focused(), Qt.Key.Key_Tab)
     QTest.keyClick(focused(), Qt.Key.Key_Tab)
