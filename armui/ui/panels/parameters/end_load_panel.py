@@ -247,6 +247,7 @@ class EndLoadPanel(Panel):
         whose=True,
         key="end_load.confirm",
         title=Text("EndLoadPanel", "Set load"),
+        leads=True,
     )
     switch = Act(
         "Switch on",
