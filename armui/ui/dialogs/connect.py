@@ -63,7 +63,7 @@ _LIST_PX: Final = 194
 """The height for the titles and five devices: adapters of a bench, and the simulated arm below
 them.
 """
-_BOX_PX: Final = 140
+_BOX_PX: Final = 170
 
 Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Called with the window that asks and a function to go on with, now or once the operator agrees.
@@ -288,6 +288,9 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box = QComboBox()
         for bitrate in _BITRATES:
             self.bitrate_box.addItem("", bitrate)
+        for box in (self.bitrate_box, self.model_choice.box):
+            box.setMinimumWidth(_BOX_PX)
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)  # in any language
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = text_label(rank="muted")
         self.listen_only_box = named("listen_only_box", QCheckBox())
@@ -312,10 +315,6 @@ class ConnectDialog(ArmDialog):
         self.bitrate_box.setItemText(0, bitrate_text(_BITRATES[0]))
         generation_1 = self.tr("{bitrate} (generation 1)")
         self.bitrate_box.setItemText(1, generation_1.format(bitrate=bitrate_text(_BITRATES[1])))
-        boxes = (self.bitrate_box, self.model_choice.box, self._manual.interface_box)
-        width_px = max(_BOX_PX, *(box.sizeHint().width() for box in boxes))
-        for box in boxes:
-            box.setFixedWidth(width_px)
         self._manual_label.setText(self.tr("The device is not in the list? Enter it:"))
         self._model.retranslate()
         self._refresh()

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from armui.ui.shell.workspace_layout import WorkspaceLayout
 
 
-PANEL_PX: Final = 440
+PANEL_PX: Final = 460
 PAGE_SHARE: Final = 0.6
 _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300

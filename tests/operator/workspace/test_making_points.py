@@ -150,7 +150,7 @@ def test_a_jog_and_a_step_from_the_editor_have_the_speed_of_the_top_bar(making):
         QTest.keyClick(driver.window, Qt.Key.Key_F8)  # ten percent less each
     assert driver.controller.motion.speed_percent == 20
     driver.run(0.2)
-    assert driver.read("box_speed") == "20 %"
+    assert driver.read("box_speed") == "2.6°/s"
     assert driver.controller.jogging.active
     assert 0.0 < abs(driver.firmware.mechanics.speeds_deg_s[0]) <= 0.25 * before
     QTest.mouseRelease(plus, Qt.MouseButton.LeftButton)

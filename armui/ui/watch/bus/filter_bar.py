@@ -19,7 +19,7 @@ from armui.ui.words import frames
 from armui.ui.words.text import Text
 
 _IDS_PX: Final = 140
-_TEXT_PX: Final = 110
+_TEXT_PX: Final = 200
 _BOLDER: Final = 1.15
 
 
