@@ -197,7 +197,7 @@ class StackArea(QScrollArea):
         self.verticalScrollBar().setValue(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Tell what holds it when the widget wants another width, which Qt's area keeps for itself."""
+        """Tell what holds it when the widget wants another width; Qt keeps that for itself."""
         if event.type() == QEvent.Type.LayoutRequest:
             self.updateGeometry()
         return super().eventFilter(watched, event)
