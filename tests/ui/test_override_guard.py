@@ -1,5 +1,6 @@
 """An exception in what Qt calls is told at once, and neither Qt nor PySide ever meets it."""
 
+import os
 import subprocess
 import sys
 
@@ -29,7 +30,14 @@ class Window(QWidget):
 def told_by(script):
     """What a program says that does this; it must come to its end."""
     command = [sys.executable, "-c", WINDOWS + script]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    done = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+        env={**os.environ, "LC_ALL": "C.UTF-8"},  # Qt complains of one that is not installed
+    )
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout.splitlines()
 
