@@ -10,7 +10,7 @@ pytestmark = pytest.mark.styled
 
 
 def settle():
-    for _ in range(6):
+    for _ in range(3):
         QCoreApplication.processEvents()
         QCoreApplication.sendPostedEvents()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
