@@ -274,7 +274,7 @@ class ArmView(QWidget):
         self._set_hud(replace(self._hud, angles_deg=angles, angles_stale=stale))
 
     def set_joints_unknown(self) -> None:
-        """Fade the arm at its last pose, because its angles are no longer known."""
+        """Fade the arm at its last pose, or at zero before the first: its angles are not known."""
         self._look_at(replace(self._state, stale=True))
         self._set_hud(replace(self._hud, angles_deg=None, angles_stale=True))
 

@@ -13,7 +13,6 @@ from PySide6.QtCore import QObject
 
 from armui.arm.model_check import ModelFit
 from armui.arm.models import robot_description
-from armui.control.link.link_state import LinkState
 from armui.ui.freshness import is_stale
 
 if TYPE_CHECKING:
@@ -51,8 +50,8 @@ def show_in_view(
         for six in (state.joints_deg, state.pose)
     )
     angles_deg = state.angles_deg()
-    if angles_deg is None and operating_state.link is LinkState.LOST:
-        view.set_joints_unknown()  # the cable is out, and the arm has not gone to its zeros
+    if angles_deg is None:
+        view.set_joints_unknown()  # silent or let go for a moment, it has not gone to its zeros
     else:
         gripper = None if state.gripper is None else state.gripper.value
         gripper_mm = None if gripper is None else gripper.opening_mm
