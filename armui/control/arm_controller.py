@@ -328,7 +328,7 @@ class ArmController(ControllerParts):
 
     def _hear(self, now_s: float) -> None:
         self._state = self._connection.follow_arm(now_s)
-        self._link_watch.follow_online()
+        self._link_watch.follow_online(now_s)
 
     def _assess(self) -> None:
         self._assessor.assess()

@@ -8392,6 +8392,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>反馈延迟到达：{value} ms 内没有收到关节角度。电脑、适配器或总线繁忙；不据此判断机械臂的状态。</translation>
     </message>
     <message>
+        <source>The arm is offline: nothing is heard from it, and it may still be moving. This computer itself stood still for {value} ms meanwhile: close what keeps it busy. If this comes again on a quiet computer, check the arm&apos;s power, the CAN cable and the bit rate.</source>
+        <translation>机械臂离线：收不到它的任何数据，它可能仍在运动。本机在此期间自己停顿了 {value} ms：请关闭占用电脑的程序。若在空闲的电脑上仍出现，请检查机械臂的电源、CAN 线和波特率。</translation>
+    </message>
+    <message>
         <source>Sent MOVE P (base) to X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</source>
         <translation>已发送 MOVE P：基坐标系 X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°</translation>
     </message>

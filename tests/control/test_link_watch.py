@@ -35,3 +35,18 @@ def test_the_next_device_counts_anew(rig):
 
 def test_it_is_a_part_of_the_controller(rig):
     assert any(isinstance(part, DroppedFrames) for part in rig.controller._all_parts())
+
+
+def test_a_computer_that_stood_still_is_told_with_the_arms_silence(rig):
+    rig.ready()
+    rig.powered = False
+    rig.step(0.7)
+    (told_busy,) = [event for event in rig.events if event.code == "offline_busy"]
+    assert told_busy.params == {"value": 700}
+    assert "offline" not in rig.codes()
+    rig.powered = True
+    rig.run_until(lambda: rig.codes()[-1] != "offline_busy")
+    rig.run(1.0)
+    rig.powered = False
+    rig.run(1.0)
+    assert rig.codes()[-1] == "offline", "an old stall was told with another silence"

@@ -20,6 +20,7 @@ from armui.control.link.connection import (
     LINK_LOST_NOTICE,
     RECONNECTED,
 )
+from armui.control.link.link_watch import OFFLINE_BUSY
 from armui.control.link.model_watch import MODEL_NONE, MODEL_OTHER_NOTICE
 from armui.control.motion.motion_command import CommandKind
 from armui.control.requests.reports import OFFLINE_NOTICE, ONLINE
@@ -41,6 +42,7 @@ NOT_KEPT = Observed(
 _GONE: Final = frozenset({LINK_LOST_NOTICE, DISCONNECTED})
 _LASTING: Final[Mapping[Notice, frozenset[Notice]]] = {
     OFFLINE_NOTICE: _GONE | {ONLINE},
+    OFFLINE_BUSY: _GONE | {ONLINE},
     LINK_LOST_NOTICE: frozenset({RECONNECTED, DISCONNECTED}),
     BUS_BLOCKED: _GONE | {BUS_UNBLOCKED},
     MODEL_OTHER_NOTICE: _GONE,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.state import PAUSE_S
+from armui.arm.state import FRESH_FOR_S, PAUSE_S
 from armui.control.context import Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.link.link_state import LinkState
@@ -36,7 +36,18 @@ FEEDBACK_LATE = Notice(
     streams=True,
 )
 
+OFFLINE_BUSY = Notice(
+    "offline_busy",
+    "The arm is offline: nothing is heard from it, and it may still be moving. This computer itself "
+    "stood still for {value} ms meanwhile: close what keeps it busy. If this comes again on a quiet "
+    "computer, check the arm's power, the CAN cable and the bit rate.",
+    Level.WARNING,
+    EventKind.LINK,
+)
+
 _EVERY_S: Final = 10.0
+_STOOD_STILL_S: Final = 0.25
+"""A longer time between two looks at the arm, of 33 ms each, is told as the computer's own."""
 
 
 class LinkWatch:
@@ -52,9 +63,14 @@ class LinkWatch:
         self._tell = tell
         self._was_online = False
         self._answers_told = False
+        self._looked_s = self._still_until_s = -math.inf
+        self._still_s = 0.0
 
-    def follow_online(self) -> None:
+    def follow_online(self, now_s: float) -> None:
         """Tell the operator when the arm has come or gone."""
+        gap_s, self._looked_s = now_s - self._looked_s, now_s
+        if _STOOD_STILL_S < gap_s < math.inf:
+            self._still_s, self._still_until_s = gap_s, now_s
         link = self._connection.link
         online = link is LinkState.ONLINE
         if online is self._was_online:
@@ -62,7 +78,9 @@ class LinkWatch:
         self._was_online = online
         if online:
             self._answers_told = False
-        if link in {LinkState.ONLINE, LinkState.OFFLINE}:
+        if link is LinkState.OFFLINE and now_s - self._still_until_s < FRESH_FOR_S:
+            self._tell(OFFLINE_BUSY, value=round(1e3 * self._still_s))
+        elif link in {LinkState.ONLINE, LinkState.OFFLINE}:
             self._tell(ONLINE if online else OFFLINE_NOTICE)
 
     def follow_handshake(self, state: ArmState) -> None:
@@ -81,6 +99,7 @@ class LinkWatch:
     def reset(self) -> None:
         """Regard the arm as offline, because another connection begins."""
         self._was_online = False
+        self._looked_s = self._still_until_s = -math.inf
 
 
 class DroppedFrames(ControllerPart):
