@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QDialog, QLabel, QWidget
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPushButton, QToolButton, QWidget
 from pytestqt.qtbot import QtBot
 
 from armui.control.operating_state import StopState
@@ -299,6 +300,28 @@ def test_the_help_scrolls_down_only(qtbot: QtBot, translator: Translator) -> Non
         shown(qtbot, page)
         assert page.area.verticalScrollBar().maximum() > 0
         assert page.area.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.styled
+def test_the_file_chooser_looks_as_the_other_dialogs(
+    qtbot: QtBot, controller: FakeController, tmp_path: Path
+) -> None:
+    chooser = FileDialog(controller.as_real, title="Choose", name_filter="All (*)", start=tmp_path)
+    shown(qtbot, chooser)
+    assert "Choose" in words_of(chooser)
+    (confirm,) = (each for each in chooser.findChildren(QPushButton) if each.property("primary"))
+    assert confirm.text() == "&Open"
+    for name in ("backButton", "forwardButton", "toParentButton", "newFolderButton"):
+        button = chooser.findChild(QToolButton, name)
+        image = button.icon().pixmap(16, QIcon.Mode.Normal).toImage()
+        inks = {
+            image.pixelColor(x, y).name()
+            for x in range(16)
+            for y in range(16)
+            if image.pixelColor(x, y).alpha() > 200
+        }
+        assert inks, name
+        assert "#000000" not in inks, f"{name} is black, which the dark theme hides"
 
 
 def test_a_chosen_file_is_handed_over(

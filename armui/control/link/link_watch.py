@@ -38,9 +38,9 @@ FEEDBACK_LATE = Notice(
 
 OFFLINE_BUSY = Notice(
     "offline_busy",
-    "The arm is offline: nothing is heard from it, and it may still be moving. This computer itself "
-    "stood still for {value} ms meanwhile: close what keeps it busy. If this comes again on a quiet "
-    "computer, check the arm's power, the CAN cable and the bit rate.",
+    "The arm is offline: nothing is heard from it, and it may still be moving. This computer "
+    "itself stood still for {value} ms meanwhile: close what keeps it busy. If this comes again on "
+    "a quiet computer, check the arm's power, the CAN cable and the bit rate.",
     Level.WARNING,
     EventKind.LINK,
 )

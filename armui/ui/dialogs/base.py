@@ -19,7 +19,7 @@ from armui.ui.widgets.stop_button import StopButton
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
-_MARGIN_PX: Final = 20
+MARGIN_PX: Final = 20
 _GAP_PX: Final = 14
 _EDGE_PX: Final = 16
 FRAME: Final = QMargins(8, 36, 8, 8)
@@ -143,7 +143,7 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
         header.addWidget(self.stop_button, 0, Qt.AlignmentFlag.AlignTop)
         self.body = in_column(spacing=_GAP_PX)
         self.footer = in_row(spacing=_GAP_PX // 2)
-        in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=_MARGIN_PX)
+        in_column(header, (self.body, 1), self.footer, on=self, spacing=_GAP_PX, margins=MARGIN_PX)
 
     def add_to_header(self, widget: QWidget) -> None:
         """Add a widget between the title and the stops."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, cast
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject, Qt, Signal
 from PySide6.QtWidgets import (
+    QDialogButtonBox,
     QFileDialog,
     QGridLayout,
     QHeaderView,
@@ -24,9 +25,12 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.ui import words
 from armui.ui.background import Job
+from armui.ui.dialogs.base import MARGIN_PX, place
+from armui.ui.widgets.buttons import show_primary
 from armui.ui.widgets.halt_button import HaltButton
-from armui.ui.widgets.layouts import STRETCH, in_row
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.stop_button import StopButton
+from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
     from armui.ui.background import Background
@@ -136,7 +140,14 @@ class FileDialog(QFileDialog):
         self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
         self.stop_button = StopButton(controller, self, slim=True)
         halt_button = HaltButton(controller, self, slim=True)
-        _add_at_the_top(self.layout(), in_row(STRETCH, halt_button, self.stop_button, spacing=14))
+        heading = text_label(rank="title", plain=True)
+        heading.setText(title)
+        top = in_row((heading, 1), halt_button, self.stop_button, spacing=14)
+        _add_at_the_top(self.layout(), top)
+        for buttons in self.findChildren(QDialogButtonBox):
+            for button in buttons.buttons():
+                if buttons.buttonRole(button) is QDialogButtonBox.ButtonRole.AcceptRole:
+                    show_primary(button, wanted=True)
         self._widen_columns()
         self.resize(*_SIZE_PX)
 
@@ -155,10 +166,11 @@ def _add_at_the_top(layout: QLayout | None, buttons: QLayout) -> None:
         raise TypeError(f"Qt's file chooser is laid out by {layout!r}, not by a grid")
     places = [layout.getItemPosition(index) for index in range(layout.count())]
     items = [layout.takeAt(0) for _place in places]
-    for item, place in zip(items, places, strict=True):
-        row, column, rows, columns = cast("tuple[int, int, int, int]", place)
+    for item, cell in zip(items, places, strict=True):
+        row, column, rows, columns = cast("tuple[int, int, int, int]", cell)
         layout.addItem(cast("QLayoutItem", item), row + 1, column, rows, columns)
     layout.addLayout(buttons, 0, 0, 1, layout.columnCount())
+    layout.setContentsMargins(*(4 * (MARGIN_PX,)))
 
 
 def choose_file(
@@ -204,5 +216,6 @@ def choose_folder(
 def _asking(dialog: FileDialog, on_chosen: Callable[[Path], object]) -> FileDialog:
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(lambda name: on_chosen(Path(name)))
+    place(dialog)
     dialog.show()
     return dialog

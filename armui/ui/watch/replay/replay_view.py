@@ -111,8 +111,7 @@ class ReplayFrame(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set the texts in the operator's language."""
-        words = self.tr("REPLAY · NOT LIVE")
-        self.word.setText(words if words.startswith("回放") else f"回放  {words}")
+        self.word.setText(self.tr("REPLAY · NOT LIVE"))
         self.name.setToolTip(self.tr("Nothing can be sent from here: there is no bus behind it."))
 
     def _recolor(self) -> None:
