@@ -245,6 +245,9 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> tuple[E
     if breach is None and len(beyond):
         worst = int(beyond[np.argmax((end - at_end)[beyond])])
         breach = Excess(worst, float(end[worst]), way.end_deg)
+    if breach is not None and not rule.reaches_mm and end[breach.bound] > breach.outside:
+        # of a joint its target is told, which was typed, and not where the way leaves the limits
+        breach = Excess(breach.bound, float(end[breach.bound]), way.end_deg, index=breach.index)
     if breach is not None:
         return breach, bool(outside[breach.bound])
     for index, bound in enumerate(rule.bounds):

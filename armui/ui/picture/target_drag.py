@@ -11,8 +11,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from armui.arm.limits import ANGLE_STEP_DEG, check_joints
 from armui.arm.refusal import Reason, Refusal
+from armui.control.context import REFUSED
 from armui.control.devices.teaching_phase import TeachingPhase, phase_of
-from armui.control.events import Level
+from armui.control.events import Event, Level
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import StopState
 from armui.control.safety.recovery_steps import StepKind
@@ -462,6 +463,12 @@ class TargetDrag(QObject):
         view.handle_taken.connect(self._on_taken)
         view.handle_moved.connect(self._on_moved)
         view.handle_left.connect(self._on_left)
+        controller.noticed.connect(self._on_noticed)
+
+    def _on_noticed(self, event: Event) -> None:
+        """Leave a refusal to the message beside the button that was pressed."""
+        if event.notice == REFUSED and event.params.get("reason") == self._told:
+            self._say(None)
 
     def set_kind(self, kind: HandleKind | None) -> None:
         """Show handles of another kind, or none with None."""
