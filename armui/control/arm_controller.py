@@ -93,6 +93,7 @@ class ArmController(ControllerParts):
         operating_state_changed: A :class:`OperatingState`, when it differs.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: True if a search is under way, else false.
+        operation_begun: The id of an operation, whoever asked for it.
         all_motion_ended: The operator has stopped or halted the arm, or a failure or the system has
             ended every motion: a motion that was about to begin must not begin any more.
     """
@@ -101,6 +102,7 @@ class ArmController(ControllerParts):
     operating_state_changed = Signal(object)
     devices_found = Signal(object)
     searching_changed = Signal(bool)
+    operation_begun = Signal(str)
     all_motion_ended = Signal()
 
     def __init__(
@@ -146,6 +148,7 @@ class ArmController(ControllerParts):
             self._assessor.refresh,
             self._assessor.observe,
             authority,
+            self.operation_begun.emit,
             lambda: self.gate,
         )
         self._parts = Parts(self._tell, self._on_part_failed)
@@ -162,6 +165,11 @@ class ArmController(ControllerParts):
     def state(self) -> ArmState:
         """The arm as last heard."""
         return self._state
+
+    @property
+    def newest(self) -> ArmState:
+        """The arm as heard up to this moment, for any thread."""
+        return self._connection.newest
 
     @property
     def telemetry(self) -> Telemetry:

@@ -55,6 +55,7 @@ class Context:
             it where it has changed that state itself.
         observe: Gives the authority all feedback received so far, and does nothing more.
         authority: Knows who moves the arm, and our own command.
+        begun: Takes the id of each operation that has begun.
     """
 
     connection: Connection
@@ -65,6 +66,7 @@ class Context:
     refresh: Callable[[], OperatingState]
     observe: Callable[[], None]
     authority: Authority
+    begun: Callable[[str], object]
 
     def refuse(self, refusal: Refusal) -> Refusal:
         """Tell the operator why something was not done; return the reason."""

@@ -51,6 +51,8 @@ class Asker(StrEnum):
     """The operator, by the button of the recovery line."""
     ARM = "arm"
     OTHER_HOST = "other_host"
+    CLIENT = "client"
+    """Another program, through the local interface."""
     PROGRAM = "program"
 
 

@@ -82,6 +82,15 @@ def straight_way(
     return Way(np.array((begin_deg, end_deg), dtype=float), tuple(spread_deg))
 
 
+def lagging_way(
+    begin_deg: Sequence[float], end_deg: Sequence[float], lag_deg: Sequence[float]
+) -> Way:
+    """Return the way of joints that may each be anywhere between it and some angle behind it."""
+    half = np.array(lag_deg, dtype=float) / 2.0
+    way = np.array((begin_deg, end_deg), dtype=float) - half
+    return Way(way, beside_deg=np.abs(np.stack((half, half))))
+
+
 def joint_way(begin_deg: Sequence[float], end_deg: Sequence[float]) -> Way:
     """Return the way of an arm that is told six angles, as by MOVE J, and turns there by itself."""
     return replace(straight_way(begin_deg, end_deg), is_joint_move=True)

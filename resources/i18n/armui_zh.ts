@@ -857,6 +857,10 @@
         <translation>其他程序</translation>
     </message>
     <message>
+        <source>Client</source>
+        <translation>客户端</translation>
+    </message>
+    <message>
         <source>Program</source>
         <translation>本程序</translation>
     </message>
@@ -8408,6 +8412,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>{device} 点动 {axes}（用户坐标系“{frame}”）</translation>
     </message>
     <message>
+        <source>“{device}” streams targets</source>
+        <translation>“{device}”正在流式发送目标</translation>
+    </message>
+    <message>
         <source>The arm is brought inside its limits: J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</source>
         <translation>机械臂回到限位内：J1 {j1}°  J2 {j2}°  J3 {j3}°  J4 {j4}°  J5 {j5}°  J6 {j6}°</translation>
     </message>
@@ -8520,6 +8528,26 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤销；机械臂尚未确认急停。</translation>
     </message>
     <message>
+        <source>“{client}” asks for the arm: {purpose}</source>
+        <translation>“{client}”申请机械臂：{purpose}</translation>
+    </message>
+    <message>
+        <source>The operator has granted “{client}” the arm, at most at {percent} %.</source>
+        <translation>操作员已授予“{client}”机械臂，最高 {percent} %。</translation>
+    </message>
+    <message>
+        <source>“{client}” no longer moves the arm. {reason}</source>
+        <translation>“{client}”不再操作机械臂。{reason}</translation>
+    </message>
+    <message>
+        <source>“{client}” was not granted the arm. {reason}</source>
+        <translation>“{client}”未获授予机械臂。{reason}</translation>
+    </message>
+    <message>
+        <source>The operator has let “{client}” do it: {operation}</source>
+        <translation>操作员已允许“{client}”：{operation}</translation>
+    </message>
+    <message>
         <source>Park position set: {angles}</source>
         <translation>停放位已设定：{angles}</translation>
     </message>
@@ -8586,6 +8614,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Recorded: {count} samples over {seconds} s</source>
         <translation>录制完成：{count} 个采样，{seconds} 秒</translation>
+    </message>
+    <message>
+        <source>“{client}” asks: {operation}</source>
+        <translation>“{client}”请求：{operation}</translation>
     </message>
     <message>
         <source>Also saved as MF4: {name}.mf4</source>
@@ -11615,6 +11647,86 @@ The other program must have ended.</source>
         <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再解除急停。</translation>
     </message>
     <message>
+        <source>The local interface is offered on Linux only, for now.</source>
+        <translation>本地接口目前仅在 Linux 上提供。</translation>
+    </message>
+    <message>
+        <source>Another armui of yours serves {path} already. Switch its interface off, or close it.</source>
+        <translation>您的另一个 armui 已在 {path} 提供服务。请关闭它的接口，或关闭它。</translation>
+    </message>
+    <message>
+        <source>The operator did not hold the button within {seconds} s.</source>
+        <translation>操作员在 {seconds} s 内没有按住按钮。</translation>
+    </message>
+    <message>
+        <source>The operator is being asked about something else of yours. Wait for that.</source>
+        <translation>正在就您的另一件事询问操作员。请等待。</translation>
+    </message>
+    <message>
+        <source>“{client}” asks for the arm, or holds it. Wait until it is free, or have the operator take it back.</source>
+        <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
+    </message>
+    <message>
+        <source>This needs the lease of the arm. Ask for it with lease.request, and name its number.</source>
+        <translation>这需要机械臂的租约。请用 lease.request 申请，并注明其编号。</translation>
+    </message>
+    <message>
+        <source>The operator did not grant the arm within {seconds} s. Ask again when somebody is there.</source>
+        <translation>操作员在 {seconds} s 内没有授予机械臂。有人在场时请再申请。</translation>
+    </message>
+    <message>
+        <source>The operator has declined.</source>
+        <translation>操作员已拒绝。</translation>
+    </message>
+    <message>
+        <source>The client has released the arm.</source>
+        <translation>客户端已释放机械臂。</translation>
+    </message>
+    <message>
+        <source>The operator has taken the arm back.</source>
+        <translation>操作员已收回机械臂。</translation>
+    </message>
+    <message>
+        <source>The operator has moved the arm himself ({operation}).</source>
+        <translation>操作员自己操作了机械臂（{operation}）。</translation>
+    </message>
+    <message>
+        <source>The arm was stopped or halted.</source>
+        <translation>机械臂已急停或停住。</translation>
+    </message>
+    <message>
+        <source>Nothing was heard from the client for {seconds} s. It must say so more often.</source>
+        <translation>{seconds} s 内没有收到客户端的消息。它必须更频繁地发送消息。</translation>
+    </message>
+    <message>
+        <source>The client has closed its connection.</source>
+        <translation>客户端已关闭连接。</translation>
+    </message>
+    <message>
+        <source>The arm is not heard, or another arm or connection has come.</source>
+        <translation>收不到机械臂的反馈，或换了另一台机械臂或连接。</translation>
+    </message>
+    <message>
+        <source>Somebody else moves the arm.</source>
+        <translation>另有一方在运动机械臂。</translation>
+    </message>
+    <message>
+        <source>The arm reports a fault.</source>
+        <translation>机械臂报告故障。</translation>
+    </message>
+    <message>
+        <source>The interface or the program ends.</source>
+        <translation>接口或程序已结束。</translation>
+    </message>
+    <message>
+        <source>This lease was asked for without motions. Ask for one with “moves”.</source>
+        <translation>此租约申请时不含运动。请申请带“moves”的租约。</translation>
+    </message>
+    <message>
+        <source>{value} % is more than the {maximum} % that the operator has granted.</source>
+        <translation>{value} % 超过操作员授予的 {maximum} %。</translation>
+    </message>
+    <message>
         <source>The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, nor any speed.</source>
         <translation>日志中没有时间：各帧按顺序每隔 1 ms 排列。其中的时间和速度都不是测得的。</translation>
     </message>
@@ -12329,6 +12441,10 @@ The other program must have ended.</source>
     <message>
         <source>The system refused it: {text}.</source>
         <translation>系统拒绝：{text}。</translation>
+    </message>
+    <message>
+        <source>The local interface cannot be opened at {path}: {text}.</source>
+        <translation>无法在 {path} 打开本地接口：{text}。</translation>
     </message>
     <message>
         <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>

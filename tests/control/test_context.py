@@ -62,6 +62,7 @@ class Part:
             refresh=OperatingState,
             observe=self._look,
             authority=self.arm.authority,
+            begun=Mock(),
             gate=Mock(),
         )
 

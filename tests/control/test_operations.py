@@ -203,8 +203,12 @@ class Part:
 
     def __init__(self, refusal=None):
         self.calls: list[object] = []
+        self.names: list[str] = []
         self.refusal = refusal
         self._context: Any = self
+
+    def begun(self, name):
+        self.names.append(name)
 
     def refresh(self):
         self.calls.append("refreshed")
@@ -232,6 +236,7 @@ def test_the_method_gets_its_record_and_the_caller_too():
     part = Part()
     started = part.act(9, fast=True)
     assert part.calls == ["ended", "refreshed", (9, True)]
+    assert len(part.names) == 1, "whoever watches operations is told that it has begun"
     assert started is part.started
     assert (started.operation, started.ending) == ("part.act", None)
 

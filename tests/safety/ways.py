@@ -166,6 +166,7 @@ class Driver:
             refresh=lambda: state,
             observe=self._observe,
             authority=self.authority,
+            begun=lambda _name: None,
             gate=lambda: self.gate,
         )
         rules = rules_of(self.arm_model())

@@ -25,7 +25,7 @@ class FakeView(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.joints: tuple[Any, ...] | None = None
+        self.joints: Any = None
         self.pose: tuple[Any, ...] | None = None
         self.palette_shown: Any = None
         self.robot: Any = None

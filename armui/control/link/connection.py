@@ -299,8 +299,9 @@ class Connection(QObject):
 
     @property
     def newest(self) -> ArmState:
-        """The arm as heard up to this moment, newer than at the controller's last tick."""
-        return ArmState() if self._worker is None else self._understood(self._worker.state)
+        """The arm as heard up to this moment, for any thread; newer than at the last tick."""
+        worker = self._worker
+        return ArmState() if worker is None else self._understood(worker.state)
 
     @property
     def heard_traffic(self) -> OtherTraffic:

@@ -44,6 +44,7 @@ from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
 from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
+from armui.control.motion.target_stream import TargetJog, TargetStream, stream_pace
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
@@ -87,6 +88,7 @@ DEVICE_JOGS_FRAME = Notice(
     Level.INFO,
     EventKind.COMMAND,
 )
+STREAMING = Notice("streaming", "“{device}” streams targets", Level.INFO, EventKind.COMMAND)
 JOG_ENDED = Notice(
     "jog_ended", "Jogging ended. {reason}", Level.WARNING, EventKind.RESULT, Asker.JOG
 )
@@ -98,7 +100,7 @@ _STEERED: Final = {
     JogFrame.TOOL: DEVICE_JOGS_TOOL,
 }
 
-Jog = JointJog | ToolJog | SteeredJog
+Jog = JointJog | ToolJog | SteeredJog | TargetJog
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -138,7 +140,7 @@ class _Hold:
     last_s: float
     steered_s: float
     started: Started
-    stream: JogStream | None = None
+    stream: JogStream | TargetStream | None = None
     before: MotionCommand | None = None
     command: MotionCommand | None = None
 
@@ -174,6 +176,12 @@ class Jogging(ControllerPart):
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, SteeredJog) else None
 
+    @property
+    def streamed(self) -> TargetJog | None:
+        """The stream of a client's targets under way, or ``None``."""
+        hold = self._hold
+        return hold.jog if hold is not None and isinstance(hold.jog, TargetJog) else None
+
     def _end_last(self) -> None:
         """End the jog under way, and drop what waits: a press means something else."""
         self.stop()
@@ -204,7 +212,9 @@ class Jogging(ControllerPart):
 
     def _tell_begun(self, started: Started, jog: Jog) -> None:
         tell = self._context.tell
-        if isinstance(jog, JointJog):
+        if isinstance(jog, TargetJog):
+            tell(STREAMING, started, device=jog.device)
+        elif isinstance(jog, JointJog):
             tell(JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
         elif isinstance(jog, ToolJog):
             axis = axis_in(jog.frame, jog.axis)
@@ -228,7 +238,7 @@ class Jogging(ControllerPart):
         hold.steered_s = self._context.clock()
         if jog.rates != before.rates:
             hold.jog = jog
-            if hold.stream is not None:
+            if isinstance(hold.stream, JogStream):
                 hold.stream.follow_path(self._path_of(jog, hold.stream.setpoint_deg))
         return True
 
@@ -315,8 +325,10 @@ class Jogging(ControllerPart):
             sag_deg = [0.0] * len(JOINTS)
         check = self._context.gate().stream()
 
-        def why_barred(ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-            return check.why_not(_less(ahead_deg, sag_deg), _less(now_deg, sag_deg))
+        def why_barred(
+            ahead_deg: Sequence[float], now_deg: Sequence[float], lag_deg: Sequence[float] = ()
+        ) -> Refusal | None:
+            return check.why_not(_less(ahead_deg, sag_deg), _less(now_deg, sag_deg), lag_deg)
 
         from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
 
@@ -325,9 +337,16 @@ class Jogging(ControllerPart):
         if refusal is not None:
             self._end(refusal)
             return
-        hold.stream = JogStream(
-            self._path_of(hold.jog, base_deg), base_deg, measured_deg, why_barred
-        )
+        if isinstance(hold.jog, TargetJog):
+            hold.stream = TargetStream(
+                *(hold.jog, base_deg, measured_deg),
+                accelerations_deg_s2=self._accelerations(),
+                limits=limits,
+                why_barred=why_barred,
+            )
+            return
+        path = self._path_of(hold.jog, base_deg)
+        hold.stream = JogStream(path, base_deg, measured_deg, why_barred)
 
     def _begins_at(
         self, jog: Jog, measured_deg: Sequence[float], limits: Sequence[JointLimits]
@@ -347,7 +366,7 @@ class Jogging(ControllerPart):
             return base_deg
         return (*base_deg[:place], inside, *base_deg[place + 1 :])
 
-    def _path_of(self, jog: Jog, base_deg: Sequence[float]) -> JogPath:
+    def _path_of(self, jog: JointJog | ToolJog | SteeredJog, base_deg: Sequence[float]) -> JogPath:
         limits = self._context.operating_state().limits
         if isinstance(jog, JointJog):
             return JointJogPath(jog.rates, base_deg, limits)
@@ -363,19 +382,22 @@ class Jogging(ControllerPart):
         return ToolJogPath(jog, cartesian.kinematics(), base_deg, cartesian.tool, limits)
 
     def present_pace(self) -> Pace:
-        """Return the limits of a jog at the operator's present speed."""
-        operating_state = self._context.operating_state()
-        return pace(
-            self._motion.speed_percent,
-            operating_state.limits,
-            accelerations(
-                self._context.state().accelerations_deg_s2,
-                model_data(operating_state.model).accelerations_deg_s2,
-            ),
-        )
+        """Return the limits of a jog, or of the stream under way, at the operator's speed."""
+        make = pace if self.streamed is None else stream_pace
+        limits = self._context.operating_state().limits
+        return make(self._motion.speed_percent, limits, self._accelerations())
+
+    def _accelerations(self) -> tuple[float, ...]:
+        model = self._context.operating_state().model
+        heard = self._context.state().accelerations_deg_s2
+        return accelerations(heard, model_data(model).accelerations_deg_s2)
 
     def _go_on(
-        self, hold: _Hold, stream: JogStream, measured_deg: Sequence[float], dt_s: float
+        self,
+        hold: _Hold,
+        stream: JogStream | TargetStream,
+        measured_deg: Sequence[float],
+        dt_s: float,
     ) -> None:
         context = self._context
         operating_state = context.operating_state()
@@ -387,7 +409,9 @@ class Jogging(ControllerPart):
             # an arm beyond its limits follows no target before the first within them
             reason = check_joints(stream.setpoint_deg, operating_state.limits) or reason
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
-        refusal = self._send(hold, target_deg, present.arm_percent)
+        refusal = None
+        if not (self.streamed and hold.command and hold.command.joints_deg == target_deg):
+            refusal = self._send(hold, target_deg, present.arm_percent)
         if refusal is not None or reason is not None:
             self._end(refusal or reason)
 

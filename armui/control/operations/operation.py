@@ -69,6 +69,10 @@ class Operation:
     consent: Consent
     shown_first: bool
 
+    def why_not_now(self, now: object) -> Refusal | None:
+        """Return why it may not be done now, where that depends on no argument; else ``None``."""
+        return None if _arguments_of(self.why_not) else self.why_not(now)
+
 
 def operation(
     name: str,
@@ -128,6 +132,7 @@ def operation(
             if refusal is None:
                 refusal = method(part, started, *args, **kwargs)
             if refusal is None:
+                context.begun(name)
                 return started
             started.close(Ending.REFUSED)
             return context.refuse(refusal)

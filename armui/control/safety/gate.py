@@ -141,20 +141,37 @@ class StreamCheck:
         self._rules: Rules | None = None
         self._room_mm = 0.0
 
-    def why_not(self, ahead_deg: Sequence[float], now_deg: Sequence[float]) -> Refusal | None:
-        """Return why the setpoint may not go on to six angles, or ``None``."""
+    def why_not(
+        self,
+        ahead_deg: Sequence[float],
+        now_deg: Sequence[float],
+        lag_deg: Sequence[float] = (),
+    ) -> Refusal | None:
+        """Return why the setpoint may not go on from six angles to others, or ``None``.
+
+        Args:
+            ahead_deg: The next setpoint.
+            now_deg: The present one.
+            lag_deg: How far each joint may be behind the next one; nothing for hardly any.
+        """
         rules = self._gate.rules()
         if rules is None:
             return None
         if rules is not self._rules:
             self._rules, self._room_mm = rules, 0.0
         travel_mm = rules.travel_mm(ahead_deg, now_deg)
-        if travel_mm < self._room_mm and rules.within_limits(ahead_deg):
+        lag_mm = rules.travel_mm(lag_deg, (0.0,) * len(lag_deg)) if lag_deg else 0.0
+        if travel_mm + lag_mm < self._room_mm and rules.within_limits(ahead_deg):
             self._room_mm -= travel_mm
             return None
-        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+        from armui.ways.way import lagging_way, straight_way  # noqa: PLC0415 - numpy
 
-        answer = self._gate.ask(straight_way(now_deg, ahead_deg))
+        way = (
+            lagging_way(now_deg, ahead_deg, lag_deg)
+            if lag_deg
+            else straight_way(now_deg, ahead_deg)
+        )
+        answer = self._gate.ask(way)
         self._room_mm = 0.0 if isinstance(answer, Refusal) else rules.room_mm(ahead_deg)
         return answer if isinstance(answer, Refusal) else None
 

@@ -70,6 +70,8 @@ _ASKERS: Final = Texts("Asker") | {
     Asker.RECOVERY: "Recovery",
     Asker.ARM: "Arm",
     Asker.OTHER_HOST: "Other host",
+    Asker.CLIENT: "Client",
+    Asker.CLIENT: "Client",
     Asker.PROGRAM: "Program",
 }
 EVENT_KINDS: Final = Texts("EventKind") | {

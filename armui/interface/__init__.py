@@ -1,0 +1,1 @@
+"""The local interface: other programs of this user move the arm through this one (B26)."""

@@ -1,0 +1,787 @@
+"""The local interface: what a client asks for is done here, in the window's thread (S29, S30).
+
+Every operation passes the same checks as a press: it is called by its id, and every motion passes
+the gate. The operator grants the lease and each consent by a held press, and ends both at any time.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from armui import __version__
+from armui.arm.limits import JOINTS, check_joints
+from armui.arm.refusal import Reason, Refusal
+from armui.control.events import Event, Notice
+from armui.control.motion.motion_command import Mover
+from armui.control.motion.target_stream import REST_S, SETTLING_S, STREAM_DEG_S, TargetJog
+from armui.control.operating_state import StopState
+from armui.control.operations.operation import Consent
+from armui.control.operations.started import Started
+from armui.interface import lease as leases
+from armui.interface.lease import Ask, Client, Lease, Lessor
+from armui.interface.messages import (
+    PROTOCOL,
+    Call,
+    CallError,
+    Code,
+    Json,
+    english,
+    figures,
+    plain,
+    refused,
+)
+from armui.interface.plain_forms import WITHOUT, arguments, asks, offered, schema, six
+from armui.protocol.codes import ArmStatusCode
+from armui.telemetry.events import Asker, EventKind, Level
+
+if TYPE_CHECKING:
+    from armui.control.arm_controller import ArmController
+    from armui.control.link.arm_mark import ArmMark
+    from armui.control.operating_state import OperatingState
+    from armui.control.operations.operation import BoundOperation
+    from armui.interface.server import ClientSession, Server, Target
+
+INTERFACE_NOT_HERE = Reason(
+    "interface_not_here", "The local interface is offered on Linux only, for now."
+)
+INTERFACE_TAKEN = Reason(
+    "interface_taken",
+    "Another armui of yours serves {path} already. Switch its interface off, or close it.",
+)
+INTERFACE_NOT_OPENED = Reason(
+    "interface_not_opened", "The local interface cannot be opened at {path}: {text}."
+)
+CONSENT_NOT_GIVEN = Reason(
+    "consent_not_given", "The operator did not hold the button within {seconds} s."
+)
+CONSENT_BUSY = Reason(
+    "consent_busy", "The operator is being asked about something else of yours. Wait for that."
+)
+LEASE_ASKED = Notice(
+    "lease_asked",
+    "“{client}” asks for the arm: {purpose}",
+    kind=EventKind.COMMAND,
+    asker=Asker.CLIENT,
+)
+LEASE_GRANTED = Notice(
+    "lease_granted",
+    "The operator has granted “{client}” the arm, at most at {percent} %.",
+    Level.WARNING,
+    EventKind.COMMAND,
+)
+LEASE_ENDED = Notice(
+    "lease_ended",
+    "“{client}” no longer moves the arm. {reason}",
+    Level.WARNING,
+    EventKind.COMMAND,
+    Asker.CLIENT,
+)
+LEASE_REFUSED = Notice(
+    "lease_refused",
+    "“{client}” was not granted the arm. {reason}",
+    kind=EventKind.COMMAND,
+    asker=Asker.CLIENT,
+)
+CLIENT_ASKS = Notice(
+    "client_asks", "“{client}” asks: {operation}", kind=EventKind.COMMAND, asker=Asker.CLIENT
+)
+CONSENT_GRANTED = Notice(
+    "consent_granted",
+    "The operator has let “{client}” do it: {operation}",
+    kind=EventKind.COMMAND,
+)
+
+_TICK_MS: Final = 33
+_ANSWERED_ASKS_S: Final = leases.GRANT_WITHIN_S
+_FAULTS: Final = frozenset(
+    {
+        ArmStatusCode.JOINT_COMMUNICATION_FAULT,
+        ArmStatusCode.JOINT_BRAKE_CLOSED,
+        ArmStatusCode.COLLISION,
+        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
+        ArmStatusCode.JOINT_STATUS_ABNORMAL,
+        ArmStatusCode.OTHER_FAULT,
+        ArmStatusCode.MAIN_CONTROLLER_TOO_HOT,
+        ArmStatusCode.BRAKE_RESISTOR_TOO_HOT,
+    }
+)
+_OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
+_NEVER_HALTED_FOR: Final = frozenset({leases.LEASE_OPERATOR_MOVED, leases.LEASE_STOPPED})
+"""What ends a lease by a motion or a stop of the operator's needs no halt of ours on top."""
+_LONGEST_TEXT: Final = 200
+
+MOVING_METHODS: Final = ("stream.target", "trajectory.run")
+METHODS: Final[Mapping[str, str]] = {
+    "hello": "Say who you are; the first call. Tells the arm, its limits and the rates.",
+    "ping": "Nothing; any call keeps the lease, which ends after a second of silence.",
+    "state.get": "The measured state, each value with its age.",
+    "state.subscribe": "The same as notifications, at a rate up to 200 Hz.",
+    "state.unsubscribe": "No more of them.",
+    "events.subscribe": "The events of the program, as they come.",
+    "events.unsubscribe": "No more of them.",
+    "operations.list": "The operations, each with what speaks against it now.",
+    "lease.request": "Ask the operator for the arm; answers once he has decided.",
+    "lease.release": "Give the arm back; its motion ends.",
+    "kinematics.fk": "The pose of the flange at six angles.",
+    "kinematics.ik": "The angles of a pose, nearest to others first.",
+    "stop": "The emergency stop. Needs no lease.",
+    "halt": "End any motion with power on. Needs no lease.",
+    "stream.target": "The newest target of a stream: six angles, at 10 to 100 Hz.",
+    "stream.end": "End the stream.",
+}
+"""The methods beside the operations, with what each does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Consented:
+    """A call that waits for the operator's held press.
+
+    Attributes:
+        client: Whose it is.
+        operation: The id of the operation.
+        title: Its title in English.
+    """
+
+    client: Client
+    operation: str
+    title: str
+
+
+@dataclass(frozen=True, slots=True)
+class InterfaceView:
+    """What the window shows of the interface.
+
+    Attributes:
+        on: True while it is served.
+        problem: Why it is not, though it is switched on.
+        path: The socket.
+        clients: Who is connected.
+        asked: Who asks for the arm.
+        lease: The lease.
+        doing: What its holder does now, the id of an operation, or ``stream.target``; "" for
+            nothing.
+        consent: What the operator is asked to let a client do.
+    """
+
+    on: bool = False
+    problem: Refusal | None = None
+    path: str = ""
+    clients: tuple[Client, ...] = ()
+    asked: Ask | None = None
+    lease: Lease | None = None
+    doing: str = ""
+    consent: Consented | None = None
+
+
+@dataclass(slots=True)
+class _Waiting:
+    session: ClientSession
+    call: Call
+    since_s: float
+    bound: BoundOperation | None = None
+    told: Consented | None = None
+
+
+@dataclass(slots=True)
+class _Followed:
+    session: ClientSession
+    started: Started
+    told: tuple[object, ...] = field(default=())
+
+
+class Interface(QObject):
+    """The local interface of one program.
+
+    Args:
+        controller: Carries everything out.
+        path: The socket.
+        clock: Monotonic time in seconds, the controller's.
+        grants_itself: True where no operator is: everything is granted, and nobody is asked. Only
+            for a simulated arm on a bus of its own.
+
+    Signals:
+        changed: A :class:`InterfaceView`, when it differs.
+    """
+
+    changed = Signal(object)
+    _called = Signal(object, object)
+    _target_came = Signal()
+    _heard = Signal(object)
+    _gone = Signal(object)
+
+    def __init__(
+        self,
+        controller: ArmController,
+        path: Path,
+        clock: Callable[[], float],
+        *,
+        grants_itself: bool = False,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._controller = controller
+        self._path = path
+        self._clock = clock
+        self._grants_itself = grants_itself
+        self._server: Server | None = None
+        self._lessor = Lessor()
+        self._asking: _Waiting | None = None
+        self._consent: _Waiting | None = None
+        self._followed: list[_Followed] = []
+        self._mark: ArmMark | None = None
+        self._calling = False
+        self._doing: Started | None = None
+        self._problem: Refusal | None = None
+        self._view = InterfaceView()
+        self._methods: Mapping[str, Callable[[_Waiting], object]] = {
+            "hello": self._hello,
+            "stop": self._stop,
+            "halt": self._halt,
+            "operations.list": self._operations,
+            "kinematics.fk": self._kinematics,
+            "kinematics.ik": self._kinematics,
+            "lease.request": self._ask,
+            "lease.release": self._release,
+            "stream.end": self._stream_ends,
+        }
+        queued = Qt.ConnectionType.QueuedConnection
+        self._called.connect(self._on_call, queued)
+        self._target_came.connect(self._on_target, queued)
+        self._heard.connect(self._on_heard, queued)
+        self._gone.connect(self._on_gone, queued)
+        controller.noticed.connect(self._on_noticed)
+        controller.operation_begun.connect(self._on_begun)
+        controller.all_motion_ended.connect(self._on_all_motion_ended)
+        controller.state_changed.connect(lambda _state: self.tick())
+        controller.operating_state_changed.connect(lambda _now: self.tick())
+        self._timer = QTimer(self, interval=_TICK_MS)
+        self._timer.timeout.connect(self.tick)
+
+    @property
+    def view(self) -> InterfaceView:
+        """What the window shows now."""
+        return self._view
+
+    # By the operator --------------------------------------------------------------------------
+
+    def switch(self, *, on: bool) -> None:
+        """Serve the socket, or close it and end every lease."""
+        if on is (self._server is not None):
+            return
+        if on:
+            self._problem = self._open()
+        else:
+            self._close()
+        self._show()
+
+    def _open(self) -> Refusal | None:
+        if not sys.platform.startswith("linux"):
+            return INTERFACE_NOT_HERE()
+        from armui.interface.server import Server, SocketTakenError  # noqa: PLC0415 - asyncio
+
+        server = Server(
+            self._path,
+            lambda: self._controller.newest,
+            on_call=self._called.emit,
+            on_target=self._target_came.emit,
+            on_heard=self._heard.emit,
+            on_gone=self._gone.emit,
+            clock=self._clock,
+        )
+        try:
+            server.start()
+        except SocketTakenError:
+            return INTERFACE_TAKEN(path=str(self._path))
+        except OSError as error:
+            return INTERFACE_NOT_OPENED(path=str(self._path), text=str(error))
+        self._server = server
+        self._timer.start()
+        return None
+
+    def _close(self) -> bool:
+        server, self._server = self._server, None
+        self._problem = None
+        self._timer.stop()
+        self._end_lease(leases.LEASE_PROGRAM_ENDS())
+        self._give_up_asking(leases.LEASE_PROGRAM_ENDS())
+        self._followed.clear()
+        return server is None or server.stop()
+
+    def end(self) -> bool:
+        """Close it at the program's end; return whether its thread has ended."""
+        return self._close()
+
+    def grant(self, max_speed_percent: int, *, for_session: bool = False) -> None:
+        """Grant the arm to who asks for it; the operator has held the button."""
+        lease = self._lessor.grant(max_speed_percent, self._clock(), for_session=for_session)
+        if lease is not None:
+            self._granted(lease)
+
+    def _granted(self, lease: Lease) -> None:
+        waiting, self._asking = self._asking, None
+        self._mark = self._controller.mark
+        self._cap_speed(lease)
+        self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
+        if waiting is not None:
+            value = {"lease": lease.number, "max_speed_percent": lease.max_speed_percent}
+            self._answer(waiting, value)
+        self._show()
+
+    def decline(self) -> None:
+        """Refuse the arm to who asks for it."""
+        self._give_up_asking(leases.LEASE_DECLINED())
+
+    def take_back(self) -> None:
+        """End the lease: the arm is the operator's again, and its motion ends."""
+        if self._lessor.held is not None:
+            self._lessor.take_back(self._lessor.held.ask.client)
+        self._end_lease(leases.LEASE_TAKEN_BACK())
+
+    def consent(self, *, given: bool) -> None:
+        """Let the client do what it asks for, or not; the operator has held the button, or not."""
+        waiting, self._consent = self._consent, None
+        if waiting is None or waiting.bound is None:
+            return
+        if given:
+            told = waiting.told
+            if told is not None:
+                self._tell(CONSENT_GRANTED, client=str(told.client), operation=told.title)
+            self._begin(waiting.session, waiting.call, waiting.bound)
+        else:
+            self._answer(waiting, refused(leases.LEASE_DECLINED()))
+        self._show()
+
+    # From the server's thread -----------------------------------------------------------------
+
+    def _on_heard(self, session: ClientSession) -> None:
+        self._lessor.heard(session.client, self._clock())
+
+    def _on_gone(self, session: ClientSession) -> None:
+        self._followed = [each for each in self._followed if each.session is not session]
+        if self._asking is not None and self._asking.session is session:
+            self._give_up_asking(leases.LEASE_CLIENT_GONE())
+        held = self._lessor.held
+        if held is not None and held.ask.client.number == session.client.number:
+            self._end_lease(leases.LEASE_CLIENT_GONE())
+        self._lessor.take_back(session.client)
+        self._show()
+
+    def _on_call(self, session: ClientSession, call: Call) -> None:
+        waiting = _Waiting(session, call, self._clock())
+        self._lessor.heard(session.client, waiting.since_s)
+        try:
+            value = self._carry_out(waiting)
+        except CallError as wrong:
+            self._answer(waiting, wrong)
+        except Exception:
+            self._answer(waiting, CallError(Code.INTERNAL, "The program failed at this call."))
+            raise
+        else:
+            if value is not None:
+                self._answer(waiting, value)
+        self._show()
+
+    def _carry_out(self, waiting: _Waiting) -> object:
+        """Do what is asked for; return the answer, or ``None`` if it follows later."""
+        call = waiting.call
+        own = self._methods.get(call.method)
+        if own is not None:
+            return own(waiting)
+        bound = self._controller.operations.get(call.method)
+        if bound is None or call.method in WITHOUT:
+            why = f" {WITHOUT[call.method]}." if call.method in WITHOUT else ""
+            raise CallError(Code.METHOD, f"There is no method “{call.method}”.{why}")
+        return self._operation(waiting, bound)
+
+    def _stop(self, _waiting: _Waiting) -> Json:
+        self._controller.emergency_stop()
+        return {}
+
+    def _halt(self, _waiting: _Waiting) -> Json:
+        refusal = self._controller.halt_and_hold()
+        if refusal is not None:
+            raise refused(refusal)
+        return {}
+
+    def _release(self, waiting: _Waiting) -> Json:
+        self._lease_of(waiting)
+        self._end_lease(leases.LEASE_RELEASED())
+        return {}
+
+    def _stream_ends(self, waiting: _Waiting) -> Json:
+        self._lease_of(waiting)
+        self._end_stream()
+        return {}
+
+    def _hello(self, waiting: _Waiting) -> Json:
+        now = self._controller.operating_state
+        return {
+            "program": "armui",
+            "version": __version__,
+            "protocol": PROTOCOL,
+            "client": waiting.session.client.number,
+            "arm": {
+                "link": now.link.name.lower(),
+                "device": None if now.device is None else now.device.label or now.device.channel,
+                "simulated": now.device is not None and now.device.simulated,
+                "model": now.model.value,
+                "generation": None if now.generation is None else int(now.generation),
+                "firmware": self._controller.state.firmware,
+            },
+            "limits": [
+                {
+                    "min_deg": each.min_deg,
+                    "max_deg": each.max_deg,
+                    "max_speed_deg_s": each.max_speed_deg_s,
+                }
+                for each in now.limits
+            ],
+            "rates": {
+                "state_hz": 200.0,
+                "stream_hz": [10.0, 100.0],
+                "stream_max_deg_s": STREAM_DEG_S,
+                "stream_smoothing_s": SETTLING_S,
+                "stream_rests_after_s": REST_S,
+                "silent_after_s": leases.SILENT_S,
+            },
+        }
+
+    def _operations(self, _waiting: _Waiting) -> list[Json]:
+        now = self._controller.operating_state
+        listed = []
+        for bound in offered(self._controller.operations):
+            operation = bound.operation
+            refusal = operation.why_not_now(now)
+            listed.append(
+                {
+                    "id": operation.id,
+                    "title": operation.title,
+                    "moves": operation.moves,
+                    "asks_the_operator": asks(operation),
+                    "why_not": None if refusal is None else plain(refusal),
+                }
+            )
+        return listed
+
+    def _kinematics(self, waiting: _Waiting) -> Json:
+        call, kinematics = waiting.call, self._controller.cartesian.kinematics()
+        if call.method == "kinematics.fk":
+            pose = kinematics.forward(six("joints_deg", call.params.get("joints_deg")))
+            return {"flange_pose_mm_deg": plain(tuple(pose))}
+        from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
+
+        pose = Pose(*six("flange_pose_mm_deg", call.params.get("flange_pose_mm_deg")))
+        near = call.params.get("near_deg")
+        measured = self._controller.state.angles_deg()
+        near_deg = six("near_deg", near) if near is not None else measured or (0.0,) * len(JOINTS)
+        limits = self._controller.operating_state.limits
+        found = kinematics.inverse(pose, near_deg)
+        within = [each for each in found if check_joints(each, limits) is None]
+        return {"joints_deg": plain([tuple(each) for each in within])}
+
+    # The lease --------------------------------------------------------------------------------
+
+    def _ask(self, waiting: _Waiting) -> None:
+        params = waiting.call.params
+        purpose, moves = params.get("purpose", ""), params.get("moves", True)
+        percent = params.get("max_speed_percent", 100)
+        is_whole = isinstance(percent, int) and not isinstance(percent, bool)
+        if not is_whole or not 1 <= percent <= 100:
+            raise CallError(Code.PARAMS, "“max_speed_percent” must be a whole number, 1 to 100.")
+        if not isinstance(moves, bool) or not isinstance(purpose, str):
+            raise CallError(Code.PARAMS, "“moves” must be true or false, “purpose” a text.")
+        purpose = "".join(each for each in purpose if each.isprintable())[:_LONGEST_TEXT]
+        client = waiting.session.client
+        refusal = self._why_no_lease() or self._lessor.ask(
+            Ask(client, purpose, moves, percent, self._clock())
+        )
+        if refusal is not None:
+            raise refused(refusal)
+        self._tell(LEASE_ASKED, client=str(client), purpose=purpose)
+        self._asking = waiting
+        if self._lessor.held is not None:
+            self._granted(self._lessor.held)
+        elif self._grants_itself:
+            self.grant(percent)
+
+    def _why_no_lease(self) -> Refusal | None:
+        """Return why nobody can be granted the arm now, or ``None``."""
+        now = self._controller.operating_state
+        return now.unreachable or self._why_over(now, self._controller.mark)
+
+    def _lease_of(self, waiting: _Waiting) -> Lease:
+        found = self._lessor.lease_of(waiting.session.client, waiting.call.params.get("lease"))
+        if isinstance(found, Refusal):
+            raise refused(found)
+        return found
+
+    def _give_up_asking(self, reason: Refusal) -> None:
+        ask, waiting = self._lessor.decline(), self._asking
+        self._asking = None
+        if ask is not None:
+            self._tell(LEASE_REFUSED, client=str(ask.client), reason=reason)
+        if waiting is not None:
+            self._answer(waiting, refused(reason))
+        self._show()
+
+    def _end_lease(self, reason: Refusal) -> None:
+        """End the lease, drop what belongs to it, and halt a motion of it with power on."""
+        lease = self._lessor.end()
+        if lease is None:
+            return
+        consent, self._consent = self._consent, None
+        if consent is not None:
+            self._answer(consent, refused(reason))
+        now = self._controller.operating_state
+        self._end_stream()
+        self._doing = None
+        if reason.reason not in _NEVER_HALTED_FOR and (now.moving or now.running or now.jogging):
+            self._controller.halt_and_hold()
+        self._tell(LEASE_ENDED, client=str(lease.ask.client), reason=reason)
+        if self._server is not None:
+            params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
+            for session in {each.session for each in self._followed}:
+                self._server.tell("lease", params, session)
+            self._server.tell("lease", params)
+        self._show()
+
+    def _cap_speed(self, lease: Lease) -> None:
+        """Lower the operator's speed to what he has granted, where it is higher."""
+        if self._controller.motion.speed_percent > lease.max_speed_percent:
+            self._calling = True
+            try:
+                self._controller.motion.set_speed_percent(lease.max_speed_percent)
+            finally:
+                self._calling = False
+
+    # Operations -------------------------------------------------------------------------------
+
+    def _operation(self, waiting: _Waiting, bound: BoundOperation) -> object:
+        lease = self._lease_of(waiting)
+        operation = bound.operation
+        if operation.moves and not lease.ask.moves:
+            raise refused(leases.LEASE_MOVES_NOTHING())
+        self._arguments(waiting.call, bound)  # what is malformed asks nobody
+        if operation.id == "motion.set_speed":
+            percent = waiting.call.params["percent"]
+            if percent > lease.max_speed_percent:
+                most = lease.max_speed_percent
+                raise refused(leases.LEASE_TOO_FAST(value=percent, maximum=most))
+        client = waiting.session.client
+        self._tell(CLIENT_ASKS, client=str(client), operation=operation.title)
+        if asks(operation) and not self._grants_itself:
+            if self._consent is not None:
+                raise refused(CONSENT_BUSY())
+            waiting.bound = bound
+            waiting.told = Consented(client, operation.id, operation.title)
+            self._consent = waiting
+            return None
+        self._begin(waiting.session, waiting.call, bound)
+        return None
+
+    @staticmethod
+    def _arguments(call: Call, bound: BoundOperation) -> tuple[list[object], dict[str, object]]:
+        params = {name: value for name, value in call.params.items() if name != "lease"}
+        return arguments(bound, params)
+
+    def _begin(self, session: ClientSession, call: Call, bound: BoundOperation) -> None:
+        waiting = _Waiting(session, call, self._clock())
+        lease = self._lessor.held
+        try:
+            positional, named = self._arguments(call, bound)
+        except CallError as wrong:
+            self._answer(waiting, wrong)
+            return
+        if lease is not None and bound.operation.moves:
+            self._cap_speed(lease)
+        if bound.operation.moves:
+            self._end_stream()
+        self._calling = True
+        try:
+            begun = bound.carry_out(*positional, **named)
+        finally:
+            self._calling = False
+        if isinstance(begun, Refusal):
+            self._answer(waiting, refused(begun))
+        elif isinstance(begun, Started):
+            self._answer(waiting, {"number": begun.number})
+            self._followed.append(_Followed(session, begun))
+            self._doing = begun
+        else:
+            self._answer(waiting, {"number": None})
+
+    def _on_begun(self, name: str) -> None:
+        """End the lease when the operator moves the arm, or does what needs his consent."""
+        if self._calling or self._lessor.held is None:
+            return
+        operation = self._controller.operations[name].operation
+        if operation.moves or operation.consent is not Consent.NONE:
+            self._end_lease(leases.LEASE_OPERATOR_MOVED(operation=operation.title))
+
+    def _on_all_motion_ended(self) -> None:
+        if self._lessor.held is not None:
+            self._end_lease(leases.LEASE_STOPPED())
+        if self._lessor.asked is not None:
+            self._give_up_asking(leases.LEASE_STOPPED())
+
+    # The stream -------------------------------------------------------------------------------
+
+    def _on_target(self) -> None:
+        server = self._server
+        target = None if server is None else server.take_target()
+        if server is None or target is None:
+            return
+        self._lessor.heard(target.session.client, self._clock())
+        refusal = self._follow(target)
+        value: Json | CallError = {} if refusal is None else refused(refusal)
+        server.answer_target(target, value)
+
+    def _follow(self, target: Target) -> Refusal | None:
+        """Have the arm follow a target; return why it does not, or why not the one before."""
+        lease = self._lessor.lease_of(target.session.client, target.lease)
+        if isinstance(lease, Refusal):
+            return lease
+        if not lease.ask.moves:
+            return leases.LEASE_MOVES_NOTHING()
+        refusal = check_joints(target.joints_deg, self._controller.operating_state.limits)
+        jogging = self._controller.jogging
+        streamed = jogging.streamed
+        if streamed is not None:
+            before = streamed.refusal
+            streamed.take(target.joints_deg)
+            jogging.tick()
+            return refusal or before or streamed.refusal
+        if refusal is not None:
+            return refusal
+        self._cap_speed(lease)
+        self._calling = True
+        try:
+            begun = jogging.start(TargetJog(str(target.session.client), target.joints_deg))
+        finally:
+            self._calling = False
+        if isinstance(begun, Refusal):
+            return begun
+        self._doing = begun
+        self._followed.append(_Followed(target.session, begun))
+        return None
+
+    def _end_stream(self) -> None:
+        if self._controller.jogging.streamed is not None:
+            self._controller.jogging.stop()
+
+    # Over time --------------------------------------------------------------------------------
+
+    def tick(self) -> None:
+        """Look whether the lease goes on, and tell what has become of the operations."""
+        if self._server is None:
+            return
+        now_s, now = self._clock(), self._controller.operating_state
+        over = self._lessor.why_over(now_s)
+        if self._lessor.asked is not None:
+            over = over or self._why_no_lease()
+            if over is not None:
+                self._give_up_asking(over)
+        if self._lessor.held is not None:
+            over = over or self._why_over(now, self._mark)
+            if over is not None:
+                self._end_lease(over)
+            else:
+                self._cap_speed(self._lessor.held)
+        consent = self._consent
+        if consent is not None and now_s - consent.since_s > _ANSWERED_ASKS_S:
+            self._consent = None
+            self._answer(consent, refused(CONSENT_NOT_GIVEN(seconds=round(_ANSWERED_ASKS_S))))
+        self._tell_outcomes()
+        self._show()
+
+    def _why_over(self, now: OperatingState, mark: ArmMark | None) -> Refusal | None:
+        """Return why nobody but the operator may have the arm now, or ``None``."""
+        if now.stop is not StopState.RUNNING:
+            return leases.LEASE_STOPPED()
+        if mark is None or now.unreachable or not mark.is_still(self._controller.mark):
+            return leases.LEASE_ARM_CHANGED()
+        if now.other_host is not None or now.mover in _OTHERS:
+            return leases.LEASE_OTHER_HOST()
+        if now.status is not None and now.status.arm_status in _FAULTS:
+            return leases.LEASE_FAULT()
+        return None
+
+    def _tell_outcomes(self) -> None:
+        """Tell each client how its operations go on and end."""
+        server = self._server
+        if server is None:
+            return
+        for each in list(self._followed):
+            started = each.started
+            found = (started.ending, started.answer, started.result)
+            if found == each.told:
+                continue
+            each.told = found
+            result = started.result
+            ending = started.ending
+            params: Json = {
+                "number": started.number,
+                "operation": started.operation,
+                "state": "under_way" if ending is None else ending.name.lower(),
+                "answered": started.answer is not None,
+            }
+            if result is not None:
+                params["result"] = {"id": result.code, "figures": figures(result.params)}
+            server.tell("operation", params, each.session)
+            if ending is not None:
+                self._followed.remove(each)
+                if self._doing is started:
+                    self._doing = None
+
+    def _on_noticed(self, event: Event) -> None:
+        if self._server is not None and not event.notice.streams:
+            params = {
+                "at": event.at.isoformat(timespec="milliseconds"),
+                "id": event.code,
+                "level": event.level.name.lower(),
+                "text": english(event.notice.source, event.params),
+                "figures": figures(event.params),
+            }
+            self._server.tell("event", params)
+
+    def _tell(self, notice: Notice, **params: object) -> None:
+        self._controller.noticed.emit(Event(datetime.now().astimezone(), notice, params))
+
+    def _answer(self, waiting: _Waiting, value: object | CallError) -> None:
+        if self._server is not None:
+            self._server.answer(waiting.session, waiting.call, value)
+
+    def _show(self) -> None:
+        server, doing = self._server, self._doing
+        view = InterfaceView(
+            on=server is not None,
+            problem=self._problem,
+            path=str(self._path),
+            clients=() if server is None else tuple(server.clients),
+            asked=self._lessor.asked,
+            lease=self._lessor.held,
+            doing="" if doing is None or doing.ending is not None else doing.operation,
+            consent=None if self._consent is None else self._consent.told,
+        )
+        if view != self._view:
+            self._view = view
+            self.changed.emit(view)
+
+
+def openrpc(operations: Mapping[str, BoundOperation]) -> Json:
+    """Return the interface as an OpenRPC document, made from the registry of operations."""
+    return {
+        "openrpc": "1.3.2",
+        "info": {"title": "armui", "version": f"{__version__} (protocol {PROTOCOL})"},
+        "methods": [
+            *({"name": name, "summary": text, "params": []} for name, text in METHODS.items()),
+            *schema(operations),
+        ],
+    }

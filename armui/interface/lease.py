@@ -1,0 +1,189 @@
+"""The lease of the arm: who asked for it, who holds it, and what ends it (S29): pure.
+
+One client at a time asks or holds. A lease has a number that counts up over the whole program, and
+each command names it: what belongs to an ended lease is dropped wherever it waits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import count
+from typing import Final
+
+from armui.arm.refusal import Reason, Refusal
+
+LEASE_TAKEN = Reason(
+    "lease_taken",
+    "“{client}” asks for the arm, or holds it. Wait until it is free, or have the operator take it "
+    "back.",
+)
+LEASE_NOT_HELD = Reason(
+    "lease_not_held",
+    "This needs the lease of the arm. Ask for it with lease.request, and name its number.",
+)
+LEASE_NOT_GRANTED = Reason(
+    "lease_not_granted",
+    "The operator did not grant the arm within {seconds} s. Ask again when somebody is there.",
+)
+LEASE_DECLINED = Reason("lease_declined", "The operator has declined.")
+LEASE_RELEASED = Reason("lease_released", "The client has released the arm.")
+LEASE_TAKEN_BACK = Reason("lease_taken_back", "The operator has taken the arm back.")
+LEASE_OPERATOR_MOVED = Reason(
+    "lease_operator_moved", "The operator has moved the arm himself ({operation})."
+)
+LEASE_STOPPED = Reason("lease_stopped", "The arm was stopped or halted.")
+LEASE_SILENT = Reason(
+    "lease_silent", "Nothing was heard from the client for {seconds} s. It must say so more often."
+)
+LEASE_CLIENT_GONE = Reason("lease_client_gone", "The client has closed its connection.")
+LEASE_ARM_CHANGED = Reason(
+    "lease_arm_changed", "The arm is not heard, or another arm or connection has come."
+)
+LEASE_OTHER_HOST = Reason("lease_other_host", "Somebody else moves the arm.")
+LEASE_FAULT = Reason("lease_fault", "The arm reports a fault.")
+LEASE_PROGRAM_ENDS = Reason("lease_program_ends", "The interface or the program ends.")
+LEASE_MOVES_NOTHING = Reason(
+    "lease_moves_nothing", "This lease was asked for without motions. Ask for one with “moves”."
+)
+LEASE_TOO_FAST = Reason(
+    "lease_too_fast", "{value} % is more than the {maximum} % that the operator has granted."
+)
+
+GRANT_WITHIN_S: Final = 30.0
+SILENT_S: Final = 1.0
+"""A client that has said nothing for this time loses the lease."""
+_NUMBERS: Final = count(1)
+
+
+@dataclass(frozen=True, slots=True)
+class Client:
+    """A program at the other end of the socket.
+
+    Attributes:
+        number: Its connection's number.
+        name: As it calls itself.
+        process: The number of its process, from the socket.
+        program: The name of that process, from the system.
+    """
+
+    number: int
+    name: str
+    process: int
+    program: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.program or 'process'} {self.process})"
+
+
+@dataclass(frozen=True, slots=True)
+class Ask:
+    """A client's wish for the arm.
+
+    Attributes:
+        client: The client.
+        purpose: What it wants to do, in its own words.
+        moves: True if it wants to move the arm, and not only to set something.
+        max_speed_percent: The highest speed it asks for.
+        since_s: Monotonic time.
+    """
+
+    client: Client
+    purpose: str
+    moves: bool
+    max_speed_percent: int
+    since_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Lease:
+    """A lease that the operator has granted.
+
+    Attributes:
+        ask: What was asked for.
+        max_speed_percent: The highest speed that the operator has granted.
+        since_s: Monotonic time.
+        number: Names it in each command.
+    """
+
+    ask: Ask
+    max_speed_percent: int
+    since_s: float
+    number: int = field(default_factory=_NUMBERS.__next__)
+
+
+class Lessor:
+    """Gives the arm to one client at a time.
+
+    Attributes:
+        asked: Who asks for it, or ``None``.
+        held: The lease, or ``None``.
+    """
+
+    def __init__(self) -> None:
+        self.asked: Ask | None = None
+        self.held: Lease | None = None
+        self._heard_s = 0.0
+        self._for_session: dict[int, int] = {}
+
+    def ask(self, ask: Ask) -> Refusal | None:
+        """Take a client's wish; return why it is refused, or ``None``: it waits, or is granted."""
+        other = self.asked or (None if self.held is None else self.held.ask)
+        if other is not None:
+            return LEASE_TAKEN(client=str(other.client))
+        self.asked = ask
+        known = self._for_session.get(ask.client.number)
+        if known is not None and ask.max_speed_percent <= known:
+            self.grant(ask.max_speed_percent, ask.since_s, for_session=True)
+        return None
+
+    def grant(self, max_speed_percent: int, now_s: float, *, for_session: bool) -> Lease | None:
+        """Grant what is asked for, at most at a speed.
+
+        Args:
+            max_speed_percent: The operator's limit.
+            now_s: Monotonic time.
+            for_session: True to grant what this client asks for later, too, up to this speed.
+        """
+        ask, self.asked = self.asked, None
+        if ask is None:
+            return None
+        percent = min(max_speed_percent, ask.max_speed_percent)
+        if for_session:
+            self._for_session[ask.client.number] = percent
+        self._heard_s = now_s
+        self.held = Lease(ask, percent, now_s)
+        return self.held
+
+    def decline(self) -> Ask | None:
+        """Forget who asks, and return it."""
+        ask, self.asked = self.asked, None
+        return ask
+
+    def heard(self, client: Client, now_s: float) -> None:
+        """Note that something was heard from a client."""
+        if self.held is not None and self.held.ask.client.number == client.number:
+            self._heard_s = now_s
+
+    def end(self) -> Lease | None:
+        """End the lease, and return it."""
+        lease, self.held = self.held, None
+        return lease
+
+    def take_back(self, client: Client) -> None:
+        """Forget what was granted a client for its session."""
+        self._for_session.pop(client.number, None)
+
+    def why_over(self, now_s: float) -> Refusal | None:
+        """Return why the lease, or who asks, is over by the time gone by."""
+        if self.asked is not None and now_s - self.asked.since_s > GRANT_WITHIN_S:
+            return LEASE_NOT_GRANTED(seconds=round(GRANT_WITHIN_S))
+        if self.held is not None and now_s - self._heard_s > SILENT_S:
+            return LEASE_SILENT(seconds=SILENT_S)
+        return None
+
+    def lease_of(self, client: Client, number: object) -> Lease | Refusal:
+        """Return the lease that a command names, if it is held by its client."""
+        held = self.held
+        if held is None or held.number != number or held.ask.client.number != client.number:
+            return LEASE_NOT_HELD()
+        return held

@@ -1,0 +1,430 @@
+"""The socket of the local interface, served by a thread of its own (S31).
+
+It reads lines, keeps each client within its limits, answers what needs only the arm's newest state,
+and hands everything else on to the window's thread. What a client does not read is bounded: the
+oldest states are never kept for it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import logging
+import os
+import socket
+import struct
+import threading
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Final
+
+from armui.interface import messages
+from armui.interface.lease import Client
+from armui.interface.messages import MAX_BYTES, Call, CallError, Code, Id, Json
+from armui.interface.plain_forms import six
+from armui.interface.state_report import fields_of, report
+from armui.system.clock import steady_s
+from armui.system.files import read_file
+from armui.system.paths import make_private
+
+if TYPE_CHECKING:
+    from armui.arm.state import ArmState
+
+MOST_CLIENTS: Final = 8
+MOST_CALLS_PER_S: Final = 2000
+MOST_WAITING: Final = 64
+"""So many calls of one client may wait for their answers."""
+MOST_UNREAD: Final = 512 * 1024
+"""A client with more bytes unread gets no states and events; with twice as many it is cut off."""
+MOST_RATE_HZ: Final = 200.0
+_END_S: Final = 2.0
+_HELLO: Final = "hello"
+_NAME_LENGTH: Final = 80
+_LOG: Final = logging.getLogger(__name__)
+
+
+class SocketTakenError(OSError):
+    """Another program of this user serves the socket already."""
+
+
+@dataclass(eq=False)
+class ClientSession:
+    """One client's connection, from the server's side.
+
+    Attributes:
+        client: Who it is; its name is empty before its hello.
+        events: True once it wants to be told the events.
+        waiting: The number of calls that the window's thread has not answered yet.
+    """
+
+    client: Client
+    writer: asyncio.StreamWriter
+    events: bool = False
+    waiting: int = 0
+    greeted: bool = False
+    subscription: asyncio.Task[None] | None = None
+    room: asyncio.Event = field(default_factory=asyncio.Event)
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The newest target of a stream.
+
+    Attributes:
+        session: Whose it is.
+        lease: The number of the lease that it names.
+        joints_deg: Six angles.
+        id: Names the answer, if one is wanted.
+        answered: False for a notification.
+    """
+
+    session: ClientSession
+    lease: object
+    joints_deg: tuple[float, ...]
+    id: Id
+    answered: bool
+
+
+class Server:
+    """Serves the socket from :meth:`start` to :meth:`stop`.
+
+    Args:
+        path: The socket.
+        state: Returns the newest state of the arm, for any thread.
+        on_call: Takes a call that the window's thread must answer by :meth:`answer`.
+        on_target: Called when there is a new target: see :meth:`take_target`.
+        on_heard: Takes each client that anything was heard from.
+        on_gone: Takes a session that is over.
+        clock: Monotonic time in seconds.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        state: Callable[[], ArmState],
+        *,
+        on_call: Callable[[ClientSession, Call], object],
+        on_target: Callable[[], object],
+        on_heard: Callable[[ClientSession], object],
+        on_gone: Callable[[ClientSession], object],
+        clock: Callable[[], float] = steady_s,
+    ) -> None:
+        self.path = path
+        self._state = state
+        self._on_call, self._on_target = on_call, on_target
+        self._on_heard, self._on_gone = on_heard, on_gone
+        self._clock = clock
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._thread: threading.Thread | None = None
+        self._sessions: dict[int, ClientSession] = {}
+        self._tasks: set[asyncio.Task[None]] = set()
+        self._numbers = 0
+        self._target: Target | None = None
+        self._target_lock = threading.Lock()
+        self._last: asyncio.Event | None = None
+
+    @property
+    def clients(self) -> list[Client]:
+        """The clients that are connected and have said who they are."""
+        return [each.client for each in list(self._sessions.values()) if each.greeted]
+
+    # From the window's thread -----------------------------------------------------------------
+
+    def start(self) -> None:
+        """Open the socket, for this user alone, and serve it.
+
+        Raises:
+            SocketTakenError: Another program serves it.
+            OSError: It cannot be opened.
+        """
+        listening = _listen(self.path)
+        loop = self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(
+            target=self._serve, args=(loop, listening), name="armui-interface", daemon=True
+        )
+        self._thread.start()
+
+    def stop(self) -> bool:
+        """Close everything; return whether the thread has ended."""
+        loop, thread = self._loop, self._thread
+        if loop is None or thread is None:
+            return True
+        with contextlib.suppress(RuntimeError):  # it has ended already
+            loop.call_soon_threadsafe(self._end)
+        thread.join(_END_S)
+        return not thread.is_alive()
+
+    def answer(self, session: ClientSession, call: Call, value: object | CallError) -> None:
+        """Answer a call, from any thread."""
+        self._soon(lambda: self._answer(session, call.id, call.answered, value, waited=True))
+
+    def answer_target(self, target: Target, value: object | CallError) -> None:
+        """Answer a target of a stream, from any thread."""
+        if target.answered:
+            self._soon(lambda: self._answer(target.session, target.id, True, value))
+
+    def take_target(self) -> Target | None:
+        """Return the newest target, once."""
+        with self._target_lock:
+            target, self._target = self._target, None
+        return target
+
+    def tell(self, method: str, params: Json, to: ClientSession | None = None) -> None:
+        """Send a notification to one session, or to all that want the events."""
+        line = messages.notification(method, params)
+        self._soon(lambda: self._tell(line, to))
+
+    def cut_off(self, session: ClientSession) -> None:
+        """Close the connection of a client."""
+        self._soon(session.writer.close)
+
+    def _soon(self, act: Callable[[], object]) -> None:
+        loop = self._loop
+        if loop is not None:
+            with contextlib.suppress(RuntimeError):  # the server has ended meanwhile
+                loop.call_soon_threadsafe(act)
+
+    # In the server's thread -------------------------------------------------------------------
+
+    def _serve(self, loop: asyncio.AbstractEventLoop, listening: socket.socket) -> None:
+        asyncio.set_event_loop(loop)
+        try:
+            loop.run_until_complete(self._until_ended(listening))
+        finally:
+            loop.close()
+
+    async def _until_ended(self, listening: socket.socket) -> None:
+        self._last = asyncio.Event()
+        server = await asyncio.start_unix_server(self._begin, sock=listening, limit=MAX_BYTES)
+        try:
+            await self._last.wait()
+        finally:
+            server.close()
+            for task in list(self._tasks):
+                task.cancel()
+            await asyncio.gather(*self._tasks, return_exceptions=True)
+            with contextlib.suppress(OSError):
+                self.path.unlink()
+
+    def _end(self) -> None:
+        if self._last is not None:
+            self._last.set()
+
+    async def _begin(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        task = asyncio.current_task()
+        if task is not None:
+            self._tasks.add(task)
+            task.add_done_callback(self._tasks.discard)
+        process, user = _peer(writer.get_extra_info("socket"))
+        if user != os.getuid() or len(self._sessions) >= MOST_CLIENTS:
+            text = f"At most {MOST_CLIENTS} clients, of the user of the program."
+            writer.write(messages.error(CallError(Code.INVALID, text)))
+            writer.close()
+            return
+        self._numbers += 1
+        number = self._numbers
+        session = ClientSession(Client(number, "", process, _program(process)), writer)
+        self._sessions[number] = session
+        try:
+            await self._read(session, reader)
+        except (ConnectionError, asyncio.IncompleteReadError):
+            pass
+        except Exception:  # noqa: BLE001 - one client's session must not take the others' away
+            _LOG.exception("A session of the local interface failed")
+        finally:
+            self._sessions.pop(number, None)
+            if session.subscription is not None:
+                session.subscription.cancel()
+            writer.close()
+            self._on_gone(session)
+
+    async def _read(self, session: ClientSession, reader: asyncio.StreamReader) -> None:
+        began_s, count = self._clock(), 0
+        while True:
+            try:
+                line = await reader.readuntil(b"\n")
+            except asyncio.LimitOverrunError:
+                text = f"A line has at most {MAX_BYTES} bytes."
+                self._send(session, messages.error(CallError(Code.INVALID, text)))
+                return
+            self._on_heard(session)
+            now_s = self._clock()
+            if now_s - began_s >= 1.0:
+                began_s, count = now_s, 0
+            count += 1
+            if count > MOST_CALLS_PER_S:
+                await asyncio.sleep(began_s + 1.0 - now_s)
+            self._take(session, line)
+            while session.waiting >= MOST_WAITING:
+                session.room.clear()
+                await session.room.wait()
+
+    def _take(self, session: ClientSession, line: bytes) -> None:
+        """Answer one line, or hand it on."""
+        call: Call | None = None
+        try:
+            call = messages.read_call(line)
+            if not session.greeted and call.method != _HELLO:
+                raise CallError(Code.INVALID, "Say hello first: who you are.")  # noqa: TRY301
+            if call.method == _HELLO:
+                self._greet(session, call)
+            if not self._answers(session, call):
+                session.waiting += 1
+                self._on_call(session, call)
+        except CallError as wrong:
+            if call is None or call.answered:
+                self._send(session, messages.error(wrong, None if call is None else call.id))
+
+    def _greet(self, session: ClientSession, call: Call) -> None:
+        name, protocol = call.params.get("client"), call.params.get("protocol")
+        if not isinstance(name, str) or not name.strip() or len(name) > _NAME_LENGTH:
+            text = f"“client” must be your name, at most {_NAME_LENGTH} characters."
+            raise CallError(Code.PARAMS, text)
+        if protocol != messages.PROTOCOL:
+            text = f"This program speaks protocol {messages.PROTOCOL}, not {protocol!r}."
+            raise CallError(Code.PARAMS, text, data={"protocol": messages.PROTOCOL})
+        known = session.client
+        printable = "".join(each for each in name.strip() if each.isprintable())
+        session.client = Client(known.number, printable, known.process, known.program)
+        session.greeted = True
+
+    def _answers(self, session: ClientSession, call: Call) -> bool:
+        """Answer what needs only the newest state; return whether it did."""
+        params = call.params
+        if call.method == "ping":
+            self._answer(session, call.id, call.answered, {})
+        elif call.method == "state.get":
+            fields = fields_of(params.get("fields"))
+            told = report(self._state(), self._clock(), fields)
+            self._answer(session, call.id, call.answered, told)
+        elif call.method == "state.subscribe":
+            rate = params.get("rate_hz", 10.0)
+            is_rate = isinstance(rate, int | float) and not isinstance(rate, bool)
+            if not is_rate or not 0.0 < rate <= MOST_RATE_HZ:
+                text = f"“rate_hz” must be above 0, at most {MOST_RATE_HZ:g}."
+                raise CallError(Code.PARAMS, text)
+            self._subscribe(session, float(rate), fields_of(params.get("fields")))
+            self._answer(session, call.id, call.answered, {})
+        elif call.method == "state.unsubscribe":
+            self._unsubscribe(session)
+            self._answer(session, call.id, call.answered, {})
+        elif call.method in {"events.subscribe", "events.unsubscribe"}:
+            session.events = call.method == "events.subscribe"
+            self._answer(session, call.id, call.answered, {})
+        elif call.method == "stream.target":
+            joints_deg = six("joints_deg", params.get("joints_deg"))
+            target = Target(session, params.get("lease"), joints_deg, call.id, call.answered)
+            with self._target_lock:
+                before, self._target = self._target, target
+            if before is not None:
+                self.answer_target(before, {"superseded": True})
+            else:
+                self._on_target()
+        else:
+            return False
+        return True
+
+    def _subscribe(self, session: ClientSession, rate_hz: float, fields: Iterable[str]) -> None:
+        self._unsubscribe(session)
+        session.subscription = asyncio.ensure_future(
+            self._tell_states(session, 1.0 / rate_hz, tuple(fields))
+        )
+
+    @staticmethod
+    def _unsubscribe(session: ClientSession) -> None:
+        if session.subscription is not None:
+            session.subscription.cancel()
+            session.subscription = None
+
+    async def _tell_states(
+        self, session: ClientSession, period_s: float, fields: tuple[str, ...]
+    ) -> None:
+        due_s = self._clock()
+        while True:
+            told = report(self._state(), self._clock(), fields)
+            self._tell(messages.notification("state", told), session)
+            due_s = max(due_s + period_s, self._clock())
+            await asyncio.sleep(due_s - self._clock())
+
+    def _answer(
+        self,
+        session: ClientSession,
+        id_: Id,
+        answered: bool,
+        value: object | CallError,
+        *,
+        waited: bool = False,
+    ) -> None:
+        if waited:
+            session.waiting -= 1
+            session.room.set()
+        if answered:
+            wrong = isinstance(value, CallError)
+            line = messages.error(value, id_) if wrong else messages.result(id_, value)  # type: ignore[arg-type]
+            self._send(session, line)
+
+    def _tell(self, line: bytes, to: ClientSession | None) -> None:
+        wanting = [each for each in self._sessions.values() if each.events]
+        for session in wanting if to is None else [to]:
+            if _unread(session) <= MOST_UNREAD:
+                self._send(session, line)
+
+    def _send(self, session: ClientSession, line: bytes) -> None:
+        if session.writer.is_closing():
+            return
+        if _unread(session) > 2 * MOST_UNREAD:
+            session.writer.transport.abort()  # it asks, and reads none of its answers
+            return
+        session.writer.write(line)
+
+
+def _unread(session: ClientSession) -> int:
+    return session.writer.transport.get_write_buffer_size()
+
+
+def _listen(path: Path) -> socket.socket:
+    """Return the listening socket, closed to other users.
+
+    Raises:
+        SocketTakenError: Somebody answers there.
+        OSError: It cannot be made.
+    """
+    make_private(path.parent)
+    with socket.socket(socket.AF_UNIX) as probe:
+        try:
+            probe.connect(str(path))
+        except OSError:
+            with contextlib.suppress(FileNotFoundError):
+                path.unlink()  # left by a program that was killed
+        else:
+            raise SocketTakenError(errno.EADDRINUSE, "another program serves it", str(path))
+    listening = socket.socket(socket.AF_UNIX)
+    try:
+        before = os.umask(0o177)
+        try:
+            listening.bind(str(path))
+        finally:
+            os.umask(before)
+        listening.listen(MOST_CLIENTS)
+    except OSError:
+        listening.close()
+        raise
+    return listening
+
+
+def _peer(connection: socket.socket) -> tuple[int, int]:
+    """Return the process and the user at the other end, as the system knows them."""
+    told = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
+    process, user, _group = struct.unpack("3i", told)
+    return process, user
+
+
+def _program(process: int) -> str:
+    try:
+        words = read_file(Path(f"/proc/{process}/cmdline")).split(b"\0")
+    except OSError:
+        return ""
+    names = [Path(os.fsdecode(each)).name for each in words[:2] if each]
+    return " ".join(names)[:_NAME_LENGTH]
