@@ -31,9 +31,11 @@ class JointShape:
         axis: The axis of a moving joint, a unit vector in the joint's frame; ``None`` if it is
             fixed.
         number: 1–6 for a joint of the arm, 0 for any other.
-        opening_m: The travel of a slider when the gripper opens, with its sign; 0 for other joints.
+        furthest: The value of a joint that opens the gripper at its end, m or rad; 0 for others.
         leader: The joint it follows, as an index in `RobotShape.joints`, with a factor and an
             offset.
+        travel: The travel of a joint that opens the gripper for each metre of opening.
+        slides: True if it moves along its axis, false if it turns about it.
     """
 
     parent: int
@@ -41,8 +43,10 @@ class JointShape:
     origin: Rows
     axis: Vector | None = None
     number: int = 0
-    opening_m: float = 0.0
+    furthest: float = 0.0
     leader: tuple[int, float, float] | None = None
+    travel: float = 0.0
+    slides: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,14 +126,13 @@ def _value(
         return factor * leader + offset
     if joint.number:
         return math.radians(angles_deg[joint.number - 1])
-    if joint.opening_m:
-        return math.copysign(min(opening_mm / 2000.0, abs(joint.opening_m)), joint.opening_m)
-    return 0.0
+    travel = min(opening_mm / 1000.0 * joint.travel, abs(joint.furthest))
+    return math.copysign(travel, joint.furthest)
 
 
 def _motion(joint: JointShape, value: float) -> Rows:
     x, y, z = joint.axis or (0.0, 0.0, 1.0)
-    if joint.opening_m:
+    if joint.slides:
         return (1.0, 0.0, 0.0, x * value, 0.0, 1.0, 0.0, y * value, 0.0, 0.0, 1.0, z * value)
     return rotation((x, y, z), value)
 

@@ -11847,6 +11847,10 @@ The other program must have ended.</source>
         <translation>机器人模型：{path} 不是机器人描述：其首个元素是“{element}”，而不是“robot”。请选择 URDF 文件。</translation>
     </message>
     <message>
+        <source>Robot description: {path} is written in words of xacro ({word}), which ROS expands. Expand it with “xacro {path} &gt; {expanded}” where ROS is installed, and choose {expanded}.</source>
+        <translation>机器人模型：{path} 用 xacro 语句（{word}）写成，须由 ROS 展开。请在装有 ROS 的计算机上运行“xacro {path} &gt; {expanded}”，然后选择 {expanded}。</translation>
+    </message>
+    <message>
         <source>Robot description: {path} is not written as URDF demands: {text}. Correct it.</source>
         <translation>机器人模型：{path} 不符合 URDF 的写法：{text}。请更正。</translation>
     </message>

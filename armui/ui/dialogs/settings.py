@@ -300,7 +300,7 @@ class SettingsDialog(ArmDialog):
             self,
             self._controller,
             title=self.tr("Choose a robot description"),
-            name_filter=self.tr("Robot description") + " (*.urdf)",
+            name_filter=self.tr("Robot description") + " (*.urdf *.xacro)",
             start=Path(now) if now else Path.home(),
             on_chosen=self._on_urdf_chosen,
         )

@@ -15,6 +15,7 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -35,8 +36,8 @@ _WAYS: Final = np.array(
     [way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)], dtype=np.float64
 )
 """The 26 directions in which the outermost point of a link is searched."""
-_WIDE_M: Final = 1.0
-"""More than any gripper opens, so that a finger is at its end."""
+_WIDE: Final = 10.0
+"""More than any joint of a gripper travels, in m or rad, so that it is at its end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,11 +118,11 @@ class Joint:
             return self.origin @ shift
         return self.origin
 
-    def opened(self, travel_m: float) -> float:
-        """Return the value of a slider this far from its closed end (zero), within its limit."""
+    def opened(self, travel: float) -> float:
+        """Return the value of a joint this far from its closed end (zero), within its limit."""
         if abs(self.lower) > abs(self.upper):
-            return -min(travel_m, -self.lower)
-        return min(travel_m, self.upper)
+            return -min(travel, -self.lower)
+        return min(travel, self.upper)
 
 
 @dataclass(frozen=True)
@@ -140,20 +141,44 @@ class Robot:
     arm_joints: tuple[str, ...]
     parts: tuple[RobotPart, ...]
 
+    @cached_property
+    def travels(self) -> dict[str, float]:
+        """For each joint that opens the gripper its travel for each metre of opening, in m or rad.
+
+        A finger travels half of it. A joint that only leads fingers, as in the maker's newer
+        descriptions, goes so far that both together travel all of it.
+        """
+        drawn = {part.link for part in self.parts}
+        led: dict[str, list[float]] = {}
+        for joint in self.joints:
+            if joint.mimic is not None and joint.kind == "prismatic":
+                led.setdefault(joint.mimic.leader, []).append(abs(joint.mimic.multiplier))
+        found: dict[str, float] = {}
+        for joint in self.joints:
+            fingers, slides = led.get(joint.name, []), joint.kind == "prismatic"
+            only_leads = len(fingers) > 1 and sum(fingers) > 0.0
+            if joint.mimic is not None or joint.name in self.arm_joints:
+                continue
+            if only_leads and not (slides and joint.child in drawn):
+                found[joint.name] = 1.0 / sum(fingers)
+            elif slides:
+                found[joint.name] = 0.5
+        return found
+
     def link_poses(self, angles_deg: Sequence[float], opening_mm: float) -> dict[str, Matrix]:
         """Return the poses of all links in the root's frame.
 
         Args:
             angles_deg: six joint angles as on the bus, joint 1 first.
-            opening_mm: distance between the fingers; each finger travels half of it.
+            opening_mm: distance between the fingers.
 
         Returns:
             4×4 matrices in metres, by link name.
         """
         values = {
-            joint.name: joint.opened(opening_mm / 2000.0)
+            joint.name: joint.opened(opening_mm / 1000.0 * self.travels[joint.name])
             for joint in self.joints
-            if joint.kind == "prismatic"
+            if joint.name in self.travels
         }
         for name, angle_deg in zip(self.arm_joints, angles_deg, strict=True):
             values[name] = math.radians(angle_deg)
@@ -210,18 +235,20 @@ def _joint(
 ) -> JointShape:
     mimic = joint.mimic
     arm = joint.name in robot.arm_joints
-    slides = joint.kind == "prismatic"
-    moves = slides or arm or (mimic is not None and joint.kind in {"revolute", "continuous"})
+    slides, travel = joint.kind == "prismatic", robot.travels.get(joint.name, 0.0)
+    moves = slides or arm or (joint.kind in HINGES and bool(mimic or travel))
     return JointShape(
         places[joint.parent],
         places[joint.child],
         _rows(joint.origin),
         (float(joint.axis[0]), float(joint.axis[1]), float(joint.axis[2])) if moves else None,
         robot.arm_joints.index(joint.name) + 1 if arm else 0,
-        joint.opened(_WIDE_M) if slides else 0.0,
+        joint.opened(_WIDE) if travel else 0.0,
         None
         if mimic is None or mimic.leader not in by_name
         else (by_name[mimic.leader], mimic.multiplier, mimic.offset),
+        travel,
+        slides,
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections import Counter
 from collections.abc import Sequence
@@ -56,6 +57,11 @@ URDF_NO_ROBOT = Reason(
     "Robot description: {path} describes no robot: its first element is “{element}”, not "
     "“robot”. Choose a URDF file.",
 )
+URDF_XACRO = Reason(
+    "urdf_xacro",
+    "Robot description: {path} is written in words of xacro ({word}), which ROS expands. Expand "
+    "it with “xacro {path} > {expanded}” where ROS is installed, and choose {expanded}.",
+)
 URDF_MALFORMED = Reason(
     "urdf_malformed",
     "Robot description: {path} is not written as URDF demands: {text}. Correct it.",
@@ -102,6 +108,8 @@ MESH_MISSING = Reason(
 )
 
 
+_EXPRESSION: Final = re.compile(r"\$[({]")
+"""The beginning of what xacro computes, in an attribute."""
 _MOST_BYTES: Final = 32_000_000
 _MOST_MESH_BYTES: Final = 100_000_000
 _MOST_TRIANGLES: Final = 1_000_000
@@ -167,10 +175,24 @@ def _content(path: Path) -> bytes:
         text = error_text(error)
         raise SceneError(URDF_UNREADABLE, path=str(path), text=text) from error
     except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
+        unbound = re.search(rb"<(xacro:\w+)", content)
+        if unbound is not None:  # xacro without its namespace, which a file to include may lack
+            raise _xacro(path, unbound.group(1).decode()) from error
         raise SceneError(URDF_NOT_XML, path=str(path), text=str(error)) from error
+    for each in element.iter():
+        namespace, _, name = each.tag.rpartition("}")
+        expressions = [value for value in each.attrib.values() if _EXPRESSION.search(value)]
+        if namespace.endswith("xacro") or expressions:
+            raise _xacro(path, expressions[0] if expressions else f"xacro:{name}")
     if element.tag != "robot":
         raise SceneError(URDF_NO_ROBOT, path=str(path), element=element.tag)
     return content
+
+
+def _xacro(path: Path, word: str) -> SceneError:
+    stem = path.name.removesuffix(".xacro").removesuffix(".urdf")
+    expanded = f"{stem}_expanded.urdf" if path.suffix == ".urdf" else f"{stem}.urdf"
+    return SceneError(URDF_XACRO, path=path.name, word=word[:60], expanded=expanded)
 
 
 def _malformed(path: Path, text: str) -> SceneError:

@@ -10,11 +10,13 @@ import trimesh
 from armui.arm.refusal import Reason, Refusal
 from armui.system.paths import URDF
 from armui.viewport.messages import URDF_MISSING, SceneError
+from armui.viewport.process.robot import shape_of
 from armui.viewport.process.urdf_file import (
     MESH_MISSING,
     URDF_JOINT_COUNT,
     URDF_MALFORMED,
     URDF_UNREADABLE,
+    URDF_XACRO,
     load_robot,
 )
 from tests.viewport.foreign import joint, link, mesh, write_arm
@@ -133,6 +135,89 @@ def test_a_joint_may_mimic_one_that_comes_later_in_the_file(tmp_path):
     robot = load_robot(write_arm(tmp_path, extra=link("fa") + link("fb") + follower + leader))
     poses = robot.link_poses([0.0] * 6, 40.0)
     assert poses["fa"][1, 3] == pytest.approx(-2 * poses["fb"][1, 3]) == pytest.approx(-0.04)
+
+
+NEWER_GRIPPER = (
+    link("measure")
+    + joint("grip", "l6", "measure", "prismatic", '<limit lower="0" upper="0.1"/>')
+    + link("fa", BOX)
+    + joint("a", "l6", "fa", "prismatic", '<mimic joint="grip" multiplier="0.5"/>')
+    + link("fb", BOX)
+    + joint("b", "l6", "fb", "prismatic", '<mimic joint="grip" multiplier="-0.5" offset="0.001"/>')
+)
+"""As the maker's newer descriptions have it: a joint that bears nothing measures the opening."""
+
+
+def in_both(robot, opening_mm, name="f"):
+    """Where the fingers stand along Y in mm: in the picture, and in the window's own shape."""
+    poses = robot.link_poses([0.0] * 6, opening_mm)
+    names = [robot.root, *(joint.child for joint in robot.joints)]
+    rows = shape_of(robot).links([0.0] * 6, opening_mm)
+    drawn = {link: 1e3 * poses[link][1, 3] for link in names if link.startswith(name)}
+    seen = {link: 1e3 * rows[names.index(link)][7] for link in drawn}
+    assert seen == pytest.approx(drawn)
+    return drawn
+
+
+@pytest.mark.parametrize("opening_mm", [0.0, 40.0, 100.0, 130.0])
+def test_fingers_led_by_a_joint_that_measures_the_opening_part_by_all_of_it(tmp_path, opening_mm):
+    robot = load_robot(write_arm(tmp_path, extra=NEWER_GRIPPER))
+    places = in_both(robot, opening_mm)
+    opened_mm = min(opening_mm, 100.0)
+    assert places == pytest.approx({"fa": opened_mm / 2.0, "fb": 1.0 - opened_mm / 2.0})
+
+
+def test_fingers_may_be_led_in_other_shares_and_by_a_hinge(tmp_path):
+    led = NEWER_GRIPPER.replace('"grip" multiplier="0.5"', '"grip" multiplier="1"')
+    places = in_both(load_robot(write_arm(tmp_path, extra=led)), 60.0)
+    assert places["fa"] - places["fb"] + 1.0 == pytest.approx(60.0)
+    turned = NEWER_GRIPPER.replace('"grip" type="prismatic"', '"grip" type="revolute"')
+    turned = turned.replace("0.5", "0.02").replace('upper="0.1"', 'upper="2.0"')
+    places = in_both(load_robot(write_arm(tmp_path, extra=turned)), 60.0)
+    assert places == pytest.approx({"fa": 30.0, "fb": -29.0})
+
+
+def test_a_finger_that_leads_the_other_travels_half_of_the_opening(tmp_path):
+    leader = '<limit lower="-0.038" upper="0"/>'
+    fingers = joint("a", "l6", "fa", "prismatic", leader) + joint(
+        "b", "l6", "fb", "prismatic", '<mimic joint="a" multiplier="-1"/>'
+    )
+    robot = load_robot(write_arm(tmp_path, extra=link("fa", BOX) + link("fb", BOX) + fingers))
+    assert in_both(robot, 50.0) == pytest.approx({"fa": -25.0, "fb": 25.0})
+    assert in_both(robot, 90.0) == pytest.approx({"fa": -38.0, "fb": 38.0})
+
+
+XACRO = 'xmlns:xacro="http://www.ros.org/wiki/xacro"'
+
+
+@pytest.mark.parametrize(
+    ("head", "extra", "word"),
+    [
+        (XACRO, '<xacro:include filename="$(find arm)/arm.urdf"/>', "$(find arm)/arm.urdf"),
+        (XACRO, '<xacro:macro name="m" params="p"><link name="a"/></xacro:macro>', "xacro:macro"),
+        (XACRO, '<xacro:property name="r" value="0.1"/>', "xacro:property"),
+        ('xmlns:x="http://wiki.ros.org/xacro"', "<x:finger/>", "xacro:finger"),
+        ("", '<link name="${side}_finger"/>', "${side}_finger"),
+        ("", "<xacro:finger/>", "xacro:finger"),  # a namespace that only an including file has
+    ],
+)
+def test_words_of_xacro_are_named_with_the_command_that_expands_them(tmp_path, head, extra, word):
+    path = write_arm(tmp_path, extra=extra, name="arm.urdf.xacro")
+    path.write_text(path.read_text().replace("<robot", f"<robot {head}"), encoding="utf-8")
+    reason = refusal(path)
+    assert reason.reason == URDF_XACRO
+    assert reason.params == {"path": "arm.urdf.xacro", "word": word, "expanded": "arm.urdf"}
+
+
+def test_a_command_for_xacro_never_writes_over_the_file_itself(tmp_path):
+    reason = refusal(write_arm(tmp_path, extra='<link name="${a}"/>'))
+    assert reason.params["expanded"] == "arm_expanded.urdf"
+
+
+def test_a_description_that_only_names_xacro_is_read(tmp_path):
+    path = write_arm(tmp_path, name="arm.xacro")
+    path.write_text(path.read_text().replace("<robot", f"<robot {XACRO}"), encoding="utf-8")
+    assert len(load_robot(path).arm_joints) == 6
 
 
 def test_origin_turns_in_the_order_of_the_format(tmp_path):
