@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
+import numpy.typing as npt
 
-from armui.arm.limits import LIFTED, LIFTED_DEG, clipped, outside_limits, settled
+from armui.arm.limits import JOINTS, LIFTED, LIFTED_DEG, clipped, outside_limits, settled
+from armui.ways.law import Flags
 from armui.ways.rules import Rules
 
 _INSIDE_DEG: Final = 0.5
 """A joint is brought this far inside its limit, so that sag does not bring it out again."""
 _REST: Final = "base/hand"
-_NEAR_MM: Final = 5.0
+NEAR_MM: Final = 5.0
 """The capsules lie a little within the covers: parts this near to each other may touch."""
 
 
@@ -36,17 +38,17 @@ def ways_inside(joints_deg: Sequence[float], rules: Rules) -> tuple[tuple[float,
         step_deg = _INSIDE_DEG if inside[place] < limit_deg else -_INSIDE_DEG
         inside[place] = clipped(limit_deg + step_deg, limits[place])
     targets = [tuple(inside)] if outside else []
-    if lies_on_base(inside, rules) and inside[LIFTED] > LIFTED_DEG:
+    if is_on_base(inside, rules).any() and inside[LIFTED] > LIFTED_DEG:
         inside[LIFTED] = LIFTED_DEG
         targets.append(tuple(inside))
     return tuple(targets)
 
 
-def lies_on_base(joints_deg: Sequence[float], rules: Rules) -> bool:
-    """Return whether the hand lies on the base at six angles, or nearly."""
-    pose = np.array([joints_deg], dtype=float)
-    return any(
-        float(rule.outside(pose)[0, rule.bounds.index(_REST)]) > -_NEAR_MM
-        for rule in rules.every
-        if _REST in rule.bounds
-    )
+def is_on_base(poses_deg: npt.ArrayLike, rules: Rules, near_mm: float = NEAR_MM) -> Flags:
+    """Return for (n, 6) angles whether hand and base are less than a distance in mm apart."""
+    poses = np.asarray(poses_deg, dtype=float).reshape(-1, len(JOINTS))
+    on_base = np.zeros(len(poses), dtype=bool)
+    for rule in rules.every:
+        if _REST in rule.bounds:
+            on_base |= rule.outside(poses)[:, rule.bounds.index(_REST)] > -near_mm
+    return on_base

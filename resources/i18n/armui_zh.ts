@@ -4799,6 +4799,14 @@
         <translation>开头 {seconds} s 位于限位之外，如同静置的机械臂：将从此处开始回放。</translation>
     </message>
     <message>
+        <source>Its last {seconds} s lie outside the limits, as an arm does at rest: it is replayed up to here.</source>
+        <translation>最后 {seconds} s 位于限位之外，如同静置的机械臂：只回放到此处。</translation>
+    </message>
+    <message>
+        <source>{joints} outside the limits, as an arm lies at rest: it is led just inside them instead.</source>
+        <translation>{joints} 位于限位之外，如同静置的机械臂：改为移动到限位之内。</translation>
+    </message>
+    <message>
         <source>The gripper would have to open {value} mm; it opens {maximum} mm at most. Enter less.</source>
         <translation>夹爪需要张开 {value} mm，最大行程为 {maximum} mm。请改小。</translation>
     </message>

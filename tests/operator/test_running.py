@@ -351,3 +351,13 @@ def test_the_time_left_is_that_which_short_ways_take(app_driver, percent, overri
     operator.until_over()
     took_s = app_driver.time_s - begun_s
     assert told_s == pytest.approx(took_s, rel=0.15)
+
+
+def test_points_from_and_to_the_rest_pose_are_run_inside_the_limits(app_driver):
+    rest = (0.0, -1.999, 1.971, -1.412, 22.11, -2.608)
+    operator = Operator(app_driver, to(rest), to(OUT), to(rest))
+    operator.send()
+    operator.until_over()
+    assert operator.path[-1] == pytest.approx((0.0, 0.5, -0.5, -1.412, 15.0, -2.608), abs=0.1)
+    assert any(math.dist(OUT, each) < 1.0 for each in operator.path)
+    assert min(each[1] for each in operator.path) > -0.01

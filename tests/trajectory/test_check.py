@@ -16,7 +16,7 @@ from armui.kinematics.forward import links
 from armui.trajectory.planning.check import CheckOutcome, CheckRequest, check
 from armui.trajectory.planning.findings import Severity
 from armui.trajectory.planning.timing import plan_path
-from armui.trajectory.points.program import GripperOpening, Waypoint
+from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.ways.own_body import OwnBody, segment_distances
 from tests.trajectory.arms import (
@@ -379,3 +379,46 @@ def test_the_way_to_a_recording_may_be_low_or_fast_without_its_fault() -> None:
         if each.code == "tool_too_fast"
     ]
     assert [(each.row, each.approach) for each in fast] == [(0, True)]
+
+
+REST = (0.0, -1.9, 1.8, -1.4, 22.0, -2.6)
+OUT = (0.0, 30.0, -30.0, 0.0, 20.0, 0.0)
+
+
+def test_a_recording_that_ends_as_an_arm_lies_at_rest_is_replayed_up_to_there() -> None:
+    ways = np.vstack((np.linspace(OUT, REST, 81), np.linspace(REST, REST, 20)))
+    report = check(CheckRequest(recording(np.linspace(0, 10, 101), ways), ARM, HERE))
+    assert not report.errors
+    (ends,) = [each for each in report.findings if each.code == "ends_outside"]
+    assert isinstance(report.as_checked, Recording)
+    count = len(report.as_checked.samples)
+    assert 70 < count < 77  # the limits, and a little before, where the hand comes to its base
+    assert report.as_checked.joints_deg == pytest.approx(ways[:count])
+    assert (ends.row, ends.params["seconds"]) == (count - 1, round(0.1 * (101 - count), 1))
+    further = np.linspace(OUT, (0.0, -6.0, 5.0, 0.0, 20.0, 0.0), 101)
+    report = check(CheckRequest(recording(np.linspace(0, 10, 101), further), ARM, HERE))
+    assert {each.code for each in report.errors} >= {"target_beyond_limit"}
+
+
+def test_a_recording_that_trembles_about_its_limits_at_rest_can_be_run() -> None:
+    trembling = [
+        (0, 0.1 * (-1) ** k, -0.1 * (-1) ** (k // 2), -1.4, 22, -2.6) for k in range(10, 41)
+    ]
+    ways = np.vstack((trembling[1:], np.linspace(trembling[1], OUT, 80)))
+    report = check(CheckRequest(recording(np.linspace(0, 11, 110), ways), ARM, REST))
+    assert not report.errors
+    assert report.path.joints_deg[-1] == pytest.approx(OUT)
+    assert report.path.rows.min() >= 29
+
+
+def test_points_that_lie_outside_as_at_rest_are_led_inside_and_others_are_not() -> None:
+    report = checked(joint(*REST), joint(*OUT), joint(*REST))
+    assert not report.errors
+    assert found(report)[-2:] == [("lies_outside", 0), ("lies_outside", 2)]
+    assert isinstance(report.as_checked, Trajectory)
+    led = pytest.approx((0.0, 0.5, -0.5, -1.4, 15.0, -2.6))
+    assert [point.target for point in report.as_checked.points] == [led, OUT, led]
+    for further in ((0, -4.0, 0, 0, 10, 0), (0, 30, 5.0, 0, 20, 0), (151.0, *REST[1:])):
+        report = checked(joint(*OUT), joint(*further))
+        assert "target_beyond_limit" in {each.code for each in report.errors}
+        assert report.as_checked is None

@@ -16,8 +16,9 @@ import numpy as np
 import numpy.typing as npt
 
 from armui.arm.held_shape import HeldShape
-from armui.arm.limits import JOINTS
+from armui.arm.limits import JOINTS, SAG_DEG, outside_limits
 from armui.arm.models import ArmModel
+from armui.arm.rest_pose import from_rest_deg
 from armui.cell.area_check import AreaCheck
 from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
@@ -41,6 +42,7 @@ from armui.trajectory.samples.recording import (
     replay_profile,
     turning_speeds,
 )
+from armui.ways.inside import NEAR_MM, is_on_base, ways_inside
 from armui.ways.law import Excess, Rule, breaches, first_breach
 from armui.ways.rules import AREA, FLOOR, LIMITS, OWN_BODY, FloorRule, rules_of
 from armui.ways.way import Way, joint_way
@@ -64,6 +66,8 @@ JUMP_DEG: Final = 5.0
 """A joint that turns this far between two samples shows that they were not recorded in one go."""
 _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
+_TREMBLES_DEG: Final = 0.5
+"""A lying arm is measured no further than this from where it lies."""
 _SAMPLES_ON_END: Final = 50
 """So many samples of a recording are looked at together: half a second at 100 Hz."""
 
@@ -108,6 +112,17 @@ BEGINS_OUTSIDE = FindingKind(
     "begins_outside",
     "Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from "
     "here on.",
+    Severity.WARNING,
+)
+ENDS_OUTSIDE = FindingKind(
+    "ends_outside",
+    "Its last {seconds} s lie outside the limits, as an arm does at rest: it is replayed up to "
+    "here.",
+    Severity.WARNING,
+)
+LIES_OUTSIDE = FindingKind(
+    "lies_outside",
+    "{joints} outside the limits, as an arm lies at rest: it is led just inside them instead.",
     Severity.WARNING,
 )
 JOINT_TOO_FAST = FindingKind(
@@ -231,7 +246,8 @@ class CheckOutcome:
         findings: The findings, errors first, then by row.
         profile: The replay profile of a recording; ``None`` for points.
         as_checked: The content as it was checked, and will be run: all points in the base, a
-            recording from its first sample within the limits; ``None`` if it is the request's.
+            recording without the samples in which the arm lies at rest, points in which it does
+            led inside; ``None`` if it is the request's.
     """
 
     path: PlannedPath
@@ -254,7 +270,7 @@ def check(request: CheckRequest) -> CheckOutcome:
     """Plan a trajectory or recording, and report what this arm cannot do or should not do."""
     content, arm, start_deg = request.content, request.arm, request.start_deg
     changed: Content | None = None
-    left_out, left_out_s = 0, 0.0
+    begin = 0
     if isinstance(content, Trajectory):
         unknown = tuple(_unknown(content, request))
         if unknown:
@@ -263,9 +279,13 @@ def check(request: CheckRequest) -> CheckOutcome:
         points = in_base(content.points, dict(arm.frames))
         if points is not content.points:
             content = changed = replace(content, points=points)
-    elif left_out := _outside_at_first(content, arm):
-        left_out_s = float(content.times_s[left_out] - content.times_s[0])
-        content = changed = replace(content, samples=content.samples[left_out:])
+        content, found_at_rest = _led_inside(content, request)
+        changed = content if found_at_rest else changed
+    else:
+        begin, end = _without_rest(content, request)
+        found_at_rest = tuple(_left_out(content, begin, end))
+        if found_at_rest:
+            content = changed = replace(content, samples=content.samples[begin:end])
     path = plan_path(
         *(content, arm, start_deg),
         first=request.first,
@@ -273,10 +293,10 @@ def check(request: CheckRequest) -> CheckOutcome:
     )
     profile = replay_profile(content) if isinstance(content, Recording) else None
     found = _findings(content, path, request, profile)
-    if left_out:
-        path = replace(path, rows=path.rows + left_out)
-        found = [one if one.row is None else replace(one, row=one.row + left_out) for one in found]
-        found.append(replace(BEGINS_OUTSIDE(seconds=round(left_out_s, 1)), row=left_out))
+    if begin:
+        path = replace(path, rows=path.rows + begin)
+        found = [one if one.row is None else replace(one, row=one.row + begin) for one in found]
+    found += found_at_rest
     by_place: dict[tuple[FindingKind, int | None, bool], Finding] = {}
     for one in found:
         by_place.setdefault((one.kind, one.row, one.approach), one)
@@ -284,11 +304,74 @@ def check(request: CheckRequest) -> CheckOutcome:
     return CheckOutcome(path, path.expected_s, findings, profile, changed)
 
 
-def _outside_at_first(recording: Recording, arm: ArmModel) -> int:
-    """Return how many samples a recording begins with that lie outside the limits, as at rest."""
+def _without_rest(recording: Recording, request: CheckRequest) -> tuple[int, int]:
+    """Return where the samples begin and end that do not lie outside the limits, as at rest.
+
+    Only an arm that is at rest has come to its last samples so; its hand lies on its base, too.
+    """
+    angles = recording.joints_deg
+    inside = _are_inside(angles, request.arm)
+    if inside.all() or not inside.any():
+        return 0, len(angles)
+    begin, end = _lying_on_end(angles, inside, request, 0.0), len(angles)
+    if not inside[-1] and _as_at_rest(angles[-1], request.arm):
+        end -= _lying_on_end(angles[::-1], inside[::-1], request, NEAR_MM)
+    return (begin, end) if begin < end else (0, len(angles))
+
+
+def _lying_on_end(angles: Array, inside: Flags, request: CheckRequest, near_mm: float) -> int:
+    """Return with how many of some poses an arm lies outside; it may tremble about its limits."""
+    if inside[0]:
+        return 0
+    stirs = np.abs(angles - angles[0]).max(axis=1) > _TREMBLES_DEG
+    lying = int(np.argmax(stirs)) if stirs.any() else 0
+    trembling = np.flatnonzero(~inside[:lying])
+    first = max(int(np.argmax(inside)), int(trembling[-1]) + 1 if len(trembling) else 0)
+    on_base = is_on_base(angles[first : first + _SAMPLES_ON_END], rules_of(request.arm), near_mm)
+    return first if on_base.all() else first + int(np.argmin(on_base))
+
+
+def _are_inside(angles: Array, arm: ArmModel) -> Flags:
     low, high = bounds(arm)
-    inside = ((recording.joints_deg >= low) & (recording.joints_deg <= high)).all(axis=1)
-    return int(np.argmax(inside)) if inside.any() else 0
+    inside: Flags = np.all((angles >= low) & (angles <= high), axis=1)
+    return inside
+
+
+def _as_at_rest(joints_deg: Sequence[float], arm: ArmModel) -> bool:
+    """Return whether the joints that are outside their limits are no further so than at rest."""
+    away = from_rest_deg(joints_deg)
+    return all(away[joint - 1] <= SAG_DEG for joint in outside_limits(joints_deg, arm.limits))
+
+
+def _left_out(recording: Recording, begin: int, end: int) -> Iterator[Finding]:
+    """Yield what is told of samples that are not replayed."""
+    times_s = recording.times_s
+    if begin:
+        yield replace(
+            BEGINS_OUTSIDE(seconds=round(float(times_s[begin] - times_s[0]), 1)), row=begin
+        )
+    if end < len(times_s):
+        yield replace(
+            ENDS_OUTSIDE(seconds=round(float(times_s[-1] - times_s[end - 1]), 1)), row=end - 1
+        )
+
+
+def _led_inside(
+    content: Trajectory, request: CheckRequest
+) -> tuple[Trajectory, tuple[Finding, ...]]:
+    """Return points with those inside that lie outside as at rest, where a press leads an arm."""
+    arm, found, points = request.arm, [], list(content.points)
+    for row, point in enumerate(points):
+        if (
+            point.is_joint
+            and (joints := outside_limits(point.target, arm.limits))
+            and _as_at_rest(point.target, arm)
+        ):
+            points[row] = replace(point, target=ways_inside(point.target, rules_of(arm))[-1])
+            found.append(
+                replace(LIES_OUTSIDE(joints=", ".join(f"J{each}" for each in joints)), row=row)
+            )
+    return (replace(content, points=tuple(points)), tuple(found)) if found else (content, ())
 
 
 def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
