@@ -175,6 +175,16 @@ def _installed(model: PiperModel) -> ModelData:
     return read_model(model_folder(model))
 
 
+@cache
+def widest_ranges_deg() -> tuple[tuple[float, float], ...]:
+    """Return the least and the greatest angle of each joint in any model of the family."""
+    limits = [data.limits for data in all_models().values()]
+    return tuple(
+        (min(each.min_deg for each in joint), max(each.max_deg for each in joint))
+        for joint in zip(*limits, strict=True)
+    )
+
+
 def model_folder(model: PiperModel) -> Path:
     """Return the folder of a model's data file, robot description and meshes."""
     return URDF / model.value

@@ -1812,6 +1812,14 @@
         <translation>在“{name}”中</translation>
     </message>
     <message>
+        <source>Columns {columns} may be normalised figures (−100 to 100), or another robot&apos;s: convert those to degrees first. If they are degrees, say so.</source>
+        <translation>第 {columns} 列可能是归一化数值（−100 到 100），或来自其他机器人：请先换算为度。若确实是度，请予以确认。</translation>
+    </message>
+    <message>
+        <source>Columns {columns} may be in {units}: choose which.</source>
+        <translation>第 {columns} 列的单位可能是 {units}：请选择。</translation>
+    </message>
+    <message>
         <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
         <translation>或把“{becomes}”改为“{choice}”：现有的列已足够。</translation>
     </message>
@@ -11761,6 +11769,14 @@ The other program must have ended.</source>
     <message>
         <source>The settings file could not be read any more and was put aside as {kept}. The present settings hold, and are saved with the next change.</source>
         <translation>设置文件已无法读取，已另存为 {kept}。当前设置仍然有效，将在下次更改时保存。</translation>
+    </message>
+    <message>
+        <source>This file of another program has no plain list of places. Write each place as a row of a CSV file with the titles time_s, joint1_rad … joint6_rad, gripper_m (or joint1_deg …, gripper_mm), and import that.</source>
+        <translation>这是其他程序的文件，其中没有可直接读取的点位列表。请把每个点位写成 CSV 文件的一行，列标题为 time_s、joint1_rad … joint6_rad、gripper_m（或 joint1_deg …、gripper_mm），再导入该文件。</translation>
+    </message>
+    <message>
+        <source>This file holds commands that only another program knows: {text}. Write each place as a row of a CSV file with the titles joint1_rad … joint6_rad (or joint1_deg …), dwell_s, and import that.</source>
+        <translation>文件中含有只有其他程序才懂的指令：{text}。请把每个点位写成 CSV 文件的一行，列标题为 joint1_rad … joint6_rad（或 joint1_deg …）、dwell_s，再导入该文件。</translation>
     </message>
     <message>
         <source>The titles of the poses and the row “#tool” belong together: titles with tcp_ are of the tool in that row, those without are of the flange. Export the file again.</source>

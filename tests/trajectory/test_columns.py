@@ -202,7 +202,7 @@ def test_points_by_poses():
         (
             mapping("J1 mm"),
             "columns_unit",
-            {"column": 1, "field": "J1", "value": "mm", "choices": "°, rad"},
+            {"column": 1, "field": "J1", "value": "mm", "choices": "°, rad, 0.1°, mrad, 0.001°"},
         ),
     ],
 )

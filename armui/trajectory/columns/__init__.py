@@ -5,7 +5,7 @@ of the columns, which gives a `ColumnMapping`; `apply` reads the whole text by i
 """
 
 from armui.trajectory.columns.apply import apply, check_mapping
-from armui.trajectory.columns.guess import exceeds_radians, likely_unit, looks_like_radians
+from armui.trajectory.columns.guess import likely_unit, units_in_doubt
 from armui.trajectory.columns.model import (
     UNITS,
     ColumnMapping,
@@ -16,10 +16,19 @@ from armui.trajectory.columns.model import (
     TableColumn,
 )
 from armui.trajectory.columns.sniff import sniff
-from armui.trajectory.columns.source import LABELS, Encoding, TableFile, look_closer, open_table
+from armui.trajectory.columns.source import (
+    LABELS,
+    SPEED_PERCENT,
+    Encoding,
+    TableFile,
+    look_closer,
+    open_table,
+    told_by_names,
+)
 
 __all__ = [
     "LABELS",
+    "SPEED_PERCENT",
     "UNITS",
     "ColumnMapping",
     "ColumnQuantity",
@@ -31,10 +40,10 @@ __all__ = [
     "TableFile",
     "apply",
     "check_mapping",
-    "exceeds_radians",
     "likely_unit",
     "look_closer",
-    "looks_like_radians",
     "open_table",
     "sniff",
+    "told_by_names",
+    "units_in_doubt",
 ]

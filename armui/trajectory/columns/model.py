@@ -23,8 +23,14 @@ DECIMALS: Final = (".", ",")
 _COMMENTS: Final = ("#", "%", "//")
 
 _TIMES: Final = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
-_ANGLES: Final = {"°": 1.0, "rad": math.degrees(1.0)}
-_LENGTHS: Final = {"mm": 1.0, "m": 1e3}
+_ANGLES: Final = {
+    "°": 1.0,
+    "rad": math.degrees(1.0),
+    "0.1°": 0.1,
+    "mrad": math.degrees(1e-3),
+    "0.001°": 1e-3,
+}
+_LENGTHS: Final = {"mm": 1.0, "m": 1e3, "µm": 1e-3}
 
 Figures = Sequence[float | None]
 """The figures of one column in order; ``None`` for a cell without a number."""
@@ -90,13 +96,15 @@ class Guess:
 
     `confidence` is 1 if the title names quantity and unit, less if one of them was guessed from the
     figures, 0 without a clue. `titled_unit` is the unit named in the title, whatever the column is;
-    "" for none. `figures` are some of the column's.
+    "" for none. `figures` are some of the column's. `custom` is the unit that programs which name
+    columns so write, "" where it is not known.
     """
 
     column: TableColumn | None
     confidence: float
     titled_unit: str = ""
     figures: Figures = ()
+    custom: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,17 +10,25 @@ from pathlib import Path
 from typing import Final
 
 from armui.arm.refusal import Reason
+from armui.protocol.codes import MoveMode
 from armui.trajectory import files
-from armui.trajectory.columns.model import Dialect, Sheet
+from armui.trajectory.columns.apply import apply, check_mapping
+from armui.trajectory.columns.foreign import FILE_COMMANDS, FILE_FOREIGN, as_table, is_structured
+from armui.trajectory.columns.guess import units_in_doubt
+from armui.trajectory.columns.model import JOINTS, ColumnMapping, Dialect, Sheet
 from armui.trajectory.columns.sniff import sniff
 from armui.trajectory.files.errors import TrajectoryFileError, broken
+from armui.trajectory.files.json_file import JSON_BAD
 from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
+from armui.trajectory.files.model import Content
 
 FILE_NOT_ENCODING = Reason(
     "file_not_encoding", "This is not text in {value}. Choose another encoding."
 )
 
 
+SPEED_PERCENT: Final = 30
+"""The speed of points that tell none."""
 _LOOKED_AT_BYTES: Final = 4096
 _MANY: Final = 0.3
 """The part of the bytes at even or odd places that is zero in figures written in UTF-16."""
@@ -108,6 +116,7 @@ class TableFile:
         encoding: The encoding of the text.
         text: The decoded text.
         sheet: The layout of the table.
+        is_record: True if the file is no table itself, but records whose figures have names.
     """
 
     file_name: str
@@ -115,6 +124,7 @@ class TableFile:
     encoding: Encoding
     text: str
     sheet: Sheet
+    is_record: bool = False
 
     def read_anew(self, encoding: Encoding | None, dialect: Dialect) -> TableFile:
         """Return the same file read with the operator's settings; the rest is guessed.
@@ -138,9 +148,26 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
     try:
         encoding = encoding or guess_encoding(data)
         text = decode_as(data, encoding)
-        return TableFile(file_name, data, encoding, text, sniff(text, dialect))
+        if files.is_ours(text):
+            return TableFile(file_name, data, encoding, text, sniff(text, dialect))
+        table = as_table(text)
+        if table is not None:
+            sheet = sniff(table.text, dialect)
+            return TableFile(file_name, data, encoding, table.text, sheet, table.is_record)
+        return TableFile(file_name, data, encoding, text, _sniff_plain(text, dialect))
     except TrajectoryFileError as error:
         raise TrajectoryFileError(error.refusal, error.line, error.column, file_name) from error
+
+
+def _sniff_plain(text: str, dialect: Dialect) -> Sheet:
+    """Return the layout of the table in a text; records that hold no places are none."""
+    try:
+        sheet = sniff(text, dialect)
+    except TrajectoryFileError as error:
+        raise (broken(FILE_FOREIGN) if is_structured(text) else error) from error
+    if sheet.width < len(JOINTS) and is_structured(text):
+        raise broken(FILE_FOREIGN)
+    return sheet
 
 
 def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileError, bool]:
@@ -159,5 +186,34 @@ def look_closer(path: Path, error: TrajectoryFileError) -> tuple[TrajectoryFileE
     try:
         table = open_table(path)
     except TrajectoryFileError as closer:
-        return (closer if error.refusal.reason == FILE_KIND_UNKNOWN else error), False
+        found = closer.refusal.reason
+        is_better = error.refusal.reason == FILE_KIND_UNKNOWN or found == FILE_COMMANDS
+        is_better |= found == FILE_FOREIGN and error.refusal.reason != JSON_BAD
+        return (closer if is_better else error), False
     return error, not files.is_ours(table.text)
+
+
+def told_by_names(path: Path, name: str) -> Content | None:
+    """Return the content of a file of records whose names tell all that is wanted, else ``None``.
+
+    Raises:
+        TrajectoryFileError: It cannot be read so; the error names the file.
+    """
+    table = open_table(path)
+    if not table.is_record:
+        return None
+    guesses = table.sheet.guesses
+    columns = tuple(guess.column for guess in guesses)
+    angles = [
+        (guess.column.quantity, guess)
+        for guess in guesses
+        if guess.column is not None
+        and guess.column.quantity in JOINTS
+        and guess.column.unit != guess.titled_unit
+    ]
+    moves = (None, MoveMode.MOVE_J) if table.sheet.count > 1 else (MoveMode.MOVE_J,)
+    for move in moves:
+        mapping = ColumnMapping(columns, move, SPEED_PERCENT)
+        if check_mapping(mapping) is None and not units_in_doubt(angles):
+            return apply(table.text, table.sheet, mapping, name)
+    return None

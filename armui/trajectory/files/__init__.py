@@ -125,7 +125,7 @@ def name_in(path: Path) -> str | None:
 
 def is_ours(text: str) -> bool:
     """Return whether a text, valid or not, begins as a format of ours other than a plain table."""
-    return log_file.is_log(text) or json_file.is_json(text)
+    return log_file.is_log(text) or json_file.is_ours(text)
 
 
 def _bytes_of(path: Path) -> bytes:

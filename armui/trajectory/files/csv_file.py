@@ -18,11 +18,13 @@ from typing import Any, Final
 
 import numpy as np
 
+from armui.arm.models import widest_ranges_deg
 from armui.arm.refusal import Reason
 from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.protocol.codes import ALL_LAMPS
 from armui.trajectory.files.errors import FILE_DAMAGED, FILE_VERSION, HEADER_UNKNOWN, broken
+from armui.trajectory.files.log_file import FILE_KIND_UNKNOWN
 from armui.trajectory.files.log_points import LETTER_OF, LETTERS
 from armui.trajectory.files.model import (
     VERSION,
@@ -95,6 +97,8 @@ TITLES: Final = (
 _WHOLE_DEFAULT: Final = 30
 """The speed in percent of a row of a file that tells none."""
 
+_BEYOND_DEG: Final = 20.0
+"""Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
 _COUNTS: Final = (GRIPPER, COLUMN_COUNT)
 _STEP_DIGITS: Final = 6
 
@@ -451,4 +455,11 @@ def read_maker_csv(text: str, name: str) -> Content:
     samples[:, 0] = np.round(np.cumsum(raw[:, 0]) - raw[:1, 0].sum(), _STEP_DIGITS)
     samples[:, 1:GRIPPER] = np.degrees(raw[:, 1:GRIPPER])
     samples[:, GRIPPER] = 1e3 * raw[:, GRIPPER]
-    return verified(Recording(name, samples=samples), lines)
+    low, high = np.array(widest_ranges_deg()).T
+    beyond = (samples[:, 1:GRIPPER] < low - _BEYOND_DEG) | (
+        samples[:, 1:GRIPPER] > high + _BEYOND_DEG
+    )
+    recording = verified(Recording(name, samples=samples), lines)
+    if beyond.any():  # no radians, as it seems: the operator tells what they are
+        raise broken(FILE_KIND_UNKNOWN, lines[int(beyond.any(axis=1).argmax())])
+    return recording

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, Final
@@ -41,6 +42,8 @@ JSON_BAD = Reason("json_bad", "This is not valid JSON: {text}.")
 
 
 _KINDS: Final = ("armui trajectory", "armui recording")
+_FORMAT: Final = re.compile(r'"format"\s*:\s*"armui ')
+_HEAD: Final = 4096
 _EMPTY: Final = {
     "note": "",
     "gripper": None,
@@ -57,6 +60,11 @@ _Scan = Callable[[str, int], tuple[Any, int]]
 def is_json(text: str) -> bool:
     """Return whether a text begins as JSON does; no other format of ours begins so."""
     return text.lstrip()[:1] in ("{", "[")
+
+
+def is_ours(text: str) -> bool:
+    """Return whether a text begins as JSON of this program, valid or not."""
+    return is_json(text) and _FORMAT.search(text[:_HEAD]) is not None
 
 
 def write(content: Content) -> str:

@@ -133,8 +133,13 @@ def _import_file(library: Library, path: Path) -> Imported:
     try:
         content, poses_of = files.load_with_origin(path)
     except TrajectoryFileError as error:
-        told, is_table = columns.look_closer(path, error)
-        return Imported(path, error=told, is_table=is_table)
+        found = None
+        with contextlib.suppress(TrajectoryFileError):
+            found = columns.told_by_names(path, path.stem)
+        if found is None:
+            told, is_table = columns.look_closer(path, error)
+            return Imported(path, error=told, is_table=is_table)
+        content, poses_of = found, OF_FLANGE
     try:
         name = library.free_name(content.name)
         library.save(replace(content, name=name))

@@ -368,3 +368,67 @@ def test_joint_angles_and_a_bare_arm_ask_for_no_tool(operator):
     accepted(operator.app_driver.controller.cell.take(with_part(Cell("bench"), PEN)))
     operator.open(line=TITLED)
     assert not operator.child("of").isVisible()
+
+
+def radians(titles, *more):
+    row = "0.1,0.6,-0.7,0.2,0.3,-0.1"
+    return f"{titles}\n" + "".join(f"{0.02 * k},{row}{''.join(more)}\n" for k in (1, 2, 4))
+
+
+def test_titles_of_another_host_need_one_click_and_no_answer(operator):
+    titles = ",".join(f"/joint_states/joint{joint}/position" for joint in range(1, 7))
+    operator.open(run=radians(f"__time,{titles},/joint_states/gripper/position", ",0.05"))
+    joints = [f"J{joint} rad" for joint in range(1, 7)]
+    assert operator.columns() == ["Time s", *joints, "Gripper m"]
+    assert operator.message() == ""
+    assert not any(operator.child(unit).isVisible() for unit in ("radians", "degrees"))
+    operator.take()
+    kept = operator.library.load("run")
+    assert kept.joints_deg[0, 1] == pytest.approx(math.degrees(0.6))
+    assert kept.gripper_mm[0] == 50.0
+
+
+def test_normalised_figures_are_not_taken_for_degrees_unless_somebody_says_so(operator):
+    titles = ",".join(f"target_joint{joint}.pos" for joint in range(1, 7))
+    rows = "".join(f"{k},{k},1.2,-88.1,96.0,0.2,10.1,{k}\n" for k in range(3))
+    operator.open(run=f"timestamp,step,{titles}\n{rows}")
+    assert operator.columns()[:3] == ["Time s", "-", "J1 °"]
+    assert operator.message().startswith("Columns 3, 4, 5, 6, 7, 8 may be normalised figures")
+    assert not operator.child("import").isEnabled()
+    assert not operator.child("radians").isVisible()
+    operator.app_driver.click(operator.child("degrees"))
+    assert operator.message() == ""
+    operator.take()
+    assert operator.library.load("run").joints_deg[0, 1] == -88.1
+
+
+def test_integers_are_read_in_the_unit_that_fits_or_asked_for(operator):
+    titles = "t," + ",".join(f"joint_{joint}" for joint in range(1, 7))
+    operator.open(run=f"{titles},gripper\n" + "1,12000,60000,-70000,0,0,500,50000\n" * 2)
+    assert operator.columns() == ["Time s", *[f"J{n} 0.001°" for n in range(1, 7)], "Gripper µm"]
+    assert operator.message() == ""
+    operator.app_driver.click(operator.child("cancel"))
+    operator.open(tenths=f"{titles}\n" + "1,120,600,-700,0,0,5\n2,120,600,-700,0,0,5\n")
+    asked = "Columns 2, 3, 4, 5, 6, 7 may be in 0.1°, mrad, 0.001°: choose which."
+    assert operator.message() == asked
+    operator.app_driver.click(operator.child("milliradians"))
+    operator.take()
+    kept = operator.library.load("tenths").joints_deg[0]
+    assert kept[:3] == pytest.approx([math.degrees(each) for each in (0.12, 0.6, -0.7)])
+
+
+def test_way_points_of_another_host_are_imported_at_once(operator):
+    place = "".join(f"  - {angle}\n" for angle in (0.1, 0.6, -0.7, 0.2, 0.3, -0.1))
+    names = "".join(f"- joint{joint}\n" for joint in range(1, 7))
+    operator.bring(taught=f"joint_names:\n{names}waypoints:\n- positions:\n{place}  hold_time: 2\n")
+    assert not is_open()
+    assert operator.told().startswith("Imported: taught")
+    (point,) = operator.library.load("taught").points
+    assert (point.move, point.dwell_s) == (MoveMode.MOVE_J, 2.0)
+
+
+def test_commands_of_another_host_are_refused_with_what_to_do(operator):
+    operator.bring(moves='[{"type": "Home"}, {"joints": [0.1, 0.6, -0.7, 0.2, 0.3, -0.1]}]')
+    assert not is_open()
+    assert "commands that only another program knows: Home. Write each place" in operator.told()
+    assert not operator.enable_or_explain.isVisible()

@@ -41,7 +41,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.findings import finding as finding_text
 
-_PATTERNS: Final = "*.armui *.log *.csv *.json *.npz *.txt"
+_PATTERNS: Final = "*.armui *.log *.csv *.json *.jsonl *.npz *.ppr *.tsv *.txt *.yaml *.yml"
 
 Problem = tuple[str, str]
 """The name of a file or trajectory, and the system's error text."""

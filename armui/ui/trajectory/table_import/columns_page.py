@@ -90,7 +90,14 @@ class TableImport(QThread):
 _FIELD_PX: Final = 34
 _MOVES: Final = (None, MoveMode.MOVE_J, MoveMode.MOVE_P, MoveMode.MOVE_L)
 """The possible results: a recording, or points of a motion."""
-_SPEED_PERCENT: Final = 30
+_ANSWERS: Final = {
+    "rad": "radians",
+    "°": "degrees",
+    "0.1°": "tenths",
+    "mrad": "milliradians",
+    "0.001°": "thousandths",
+}
+"""The units of angles that are asked for, and the names of their buttons."""
 
 
 class ColumnsPage(Page):
@@ -133,7 +140,7 @@ class ColumnsPage(Page):
         self._moves.addItems([""] * len(_MOVES))
         self._speed = named("columns_speed", QSpinBox())
         self._speed.setRange(1, 100)
-        self._speed.setValue(_SPEED_PERCENT)
+        self._speed.setValue(columns.SPEED_PERCENT)
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._speed.setFixedHeight(_FIELD_PX)
@@ -143,8 +150,9 @@ class ColumnsPage(Page):
         self._move_label, self._speed_label, self._name_label = (QLabel() for _ in range(3))
         self._of_label = QLabel()
         self._message = named("columns_message", MessageLine(keeps_room=False))
-        self._radians = push_button("columns_radians", on_enter=False)
-        self._degrees = push_button("columns_degrees", on_enter=False)
+        self._units = {
+            unit: push_button(f"columns_{name}", on_enter=False) for unit, name in _ANSWERS.items()
+        }
         self.import_button = push_button("columns_import", primary=True, on_enter=True)
         self._cancel = push_button("columns_cancel", on_enter=False)
 
@@ -158,7 +166,7 @@ class ColumnsPage(Page):
         for label, field in pairs:
             label.setBuddy(field)
         choices = in_flow(*(pair(label, field) for label, field in pairs), self._in, spacing_px=10)
-        said = in_row((self._message, 1), self._radians, self._degrees)
+        said = in_row((self._message, 1), *self._units.values())
         fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), said)
         fill(self.footer, STRETCH, self._cancel, self.import_button)
 
@@ -168,8 +176,10 @@ class ColumnsPage(Page):
         self._moves.currentIndexChanged.connect(self._show_usable)
         self._moves.activated.connect(self._on_move)
         self._name.textChanged.connect(self._show_usable)
-        self._radians.clicked.connect(lambda: self._table.say_unit(self._angles, "rad"))
-        self._degrees.clicked.connect(lambda: self._table.say_unit(self._angles, "°"))
+        for unit, button in self._units.items():
+            button.clicked.connect(
+                lambda _checked=False, unit=unit: self._table.say_unit(self._angles, unit)
+            )
         self.import_button.clicked.connect(self._import)
         self._cancel.clicked.connect(self.leave)
         self._controller.cell_changed.connect(self._list_origins)
@@ -274,11 +284,19 @@ class ColumnsPage(Page):
         reason = reason or check_name(self._name.text().strip())
         if reason is not None:
             return words.refusal(reason)
-        asked = self._table.may_be_radians(self._angles)
+        asked, units = self._table.in_doubt(self._angles)
         if not asked:
             return ""
-        text = self.tr("Columns {columns} may be radians or degrees: choose which.")
-        return text.format(columns=", ".join(map(str, asked)))
+        if units == ("rad", "°"):
+            text = self.tr("Columns {columns} may be radians or degrees: choose which.")
+        elif units == ("°",):
+            text = self.tr(
+                "Columns {columns} may be normalised figures (−100 to 100), or another robot's: "
+                "convert those to degrees first. If they are degrees, say so."
+            )
+        else:
+            text = self.tr("Columns {columns} may be in {units}: choose which.")
+        return text.format(columns=", ".join(map(str, asked)), units=", ".join(units))
 
     def _other_way(self) -> str:
         """Return what else it can become."""
@@ -302,9 +320,9 @@ class ColumnsPage(Page):
         text = self._reason_against()
         self._message.show_message(text or self._mixed_units(), Level.WARNING)
         asks = bool(text) and not columns.check_mapping(self.mapping)
-        asks = asks and bool(self._table.may_be_radians(self._angles))
-        for button in (self._radians, self._degrees):
-            button.setVisible(asks)
+        units = self._table.in_doubt(self._angles)[1] if asks else ()
+        for unit, button in self._units.items():
+            button.setVisible(unit in units)
         self.import_button.setEnabled(not text)
         self.import_button.setToolTip(text)
         for widget in (self._speed_label, self._speed):
@@ -387,8 +405,8 @@ class ColumnsPage(Page):
         self._speed.setToolTip(self.tr("For points whose speed is in no column"))
         self.import_button.setText(self.tr("Import"))
         self._cancel.setText(self.tr("Cancel"))
-        self._radians.setText(self.tr("Radians"))
-        self._degrees.setText(self.tr("Degrees"))
+        for unit, button in self._units.items():
+            button.setText({"rad": self.tr("Radians"), "°": self.tr("Degrees")}.get(unit, unit))
         self._show_usable()
 
     def _describe(self) -> str:

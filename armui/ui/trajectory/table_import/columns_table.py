@@ -23,9 +23,8 @@ from armui.trajectory.columns import (
     Guess,
     Sheet,
     TableColumn,
-    exceeds_radians,
     likely_unit,
-    looks_like_radians,
+    units_in_doubt,
 )
 from armui.trajectory.columns.model import JOINTS, POSE
 from armui.ui import words
@@ -95,14 +94,9 @@ class ColumnPicker(Translated, QWidget):
         return self._guessed
 
     @property
-    def looks_like_radians(self) -> bool:
-        """True if its figures may be radians."""
-        return looks_like_radians(self._guess.figures)
-
-    @property
-    def exceeds_radians(self) -> bool:
-        """True if a figure is larger than any joint angle in radians."""
-        return exceeds_radians(self._guess.figures)
+    def guess(self) -> Guess:
+        """What was guessed of it."""
+        return self._guess
 
     @property
     def is_titled(self) -> bool:
@@ -268,26 +262,31 @@ class ColumnsTable(QScrollArea):
         """The number of columns that are not shown, because there are too many."""
         return self._width - len(self._places)
 
-    def _asking(self, needed: Collection[ColumnQuantity]) -> list[ColumnPicker]:
+    def _asking(
+        self, needed: Collection[ColumnQuantity]
+    ) -> tuple[list[ColumnPicker], tuple[str, ...]]:
         """Angles of which no title says the unit, and no figure: all of a file are of one."""
         angles = [each for each in self._pickers if each.column and each.column.quantity in needed]
         unsaid = [each for each in angles if each.guessed and not each.is_titled]
-        told = any(each.is_titled for each in angles)
-        if told or not any(each.looks_like_radians for each in unsaid):
-            return []
-        return unsaid if all(not each.exceeds_radians for each in angles) else []
+        if not unsaid or any(each.is_titled for each in angles):
+            return [], ()
+        units = units_in_doubt(
+            [(each.column.quantity, each.guess) for each in angles if each.column]
+        )
+        return (unsaid, units) if units else ([], ())
 
-    def may_be_radians(self, needed: Collection[ColumnQuantity]) -> list[int]:
-        """Return the numbers of columns whose angles may be radians, without a unit being named.
+    def in_doubt(self, needed: Collection[ColumnQuantity]) -> tuple[list[int], tuple[str, ...]]:
+        """Return the numbers of columns whose unit only the operator knows, and the likely units.
 
         Args:
             needed: The quantities to be imported.
         """
-        return [1 + self._places[self._pickers.index(each)] for each in self._asking(needed)]
+        asking, units = self._asking(needed)
+        return [1 + self._places[self._pickers.index(each)] for each in asking], units
 
     def say_unit(self, needed: Collection[ColumnQuantity], unit: str) -> None:
         """Set the unit of those columns by the operator's answer."""
-        asking = self._asking(needed)
+        asking, _units = self._asking(needed)
         for picker in asking:
             picker.show_unit(unit)
             picker.show_certain()
