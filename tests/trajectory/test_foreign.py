@@ -14,7 +14,7 @@ from armui.trajectory import columns
 from armui.trajectory.columns.foreign import FILE_COMMANDS, FILE_FOREIGN, as_table
 from armui.trajectory.columns.plain_yaml import read_yaml
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.importing import import_files
+from armui.trajectory.library.importing import find_or_import, import_files
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import GripperOpening, Trajectory
 from armui.trajectory.samples.recording import Recording
@@ -184,6 +184,8 @@ def test_what_tells_all_is_in_the_library_under_the_name_of_its_file(tmp_path):
     (done,) = import_files(tmp_path / "library", [path])
     assert (done.name, done.error, done.is_table) == ("there and back", None, False)
     assert len(Library(tmp_path / "library").load("there and back").points) == 2
+    again = find_or_import(tmp_path / "library", path)
+    assert (again.name, again.was_there) == ("there and back", True)
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.cell.parts import part_named
 from armui.kinematics.poses import Pose, apart
 from armui.trajectory import columns, files
-from armui.trajectory.files import TrajectoryFileError
+from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import OF_FLANGE, PosesOf, Trajectory, Values, frames_in
 
@@ -106,7 +106,7 @@ def find_or_import(folder: Path, path: Path, new_in: str = "") -> Imported:
     library = Library(folder)
     library.new_in = new_in
     with contextlib.suppress(TrajectoryFileError, LibraryError):
-        content = files.load(path)
+        content, _poses_of = _load(path)
         kept = library.load(content.name)
         if replace(content, modified=kept.modified) == kept:
             return Imported(path, kept.name, kept.name, was_there=True)
@@ -129,17 +129,28 @@ def import_files(folder: Path, paths: Sequence[Path], new_in: str = "") -> list[
     return [_import_file(library, path) for path in paths]
 
 
-def _import_file(library: Library, path: Path) -> Imported:
+def _load(path: Path) -> tuple[Content, PosesOf]:
+    """Return the content of a file, ours or of another program, and what its poses are of.
+
+    Raises:
+        TrajectoryFileError: It is not read, or only as the operator says.
+    """
     try:
-        content, poses_of = files.load_with_origin(path)
-    except TrajectoryFileError as error:
-        found = None
+        return files.load_with_origin(path)
+    except TrajectoryFileError:
         with contextlib.suppress(TrajectoryFileError):
             found = columns.told_by_names(path, path.stem)
-        if found is None:
-            told, is_table = columns.look_closer(path, error)
-            return Imported(path, error=told, is_table=is_table)
-        content, poses_of = found, OF_FLANGE
+            if found is not None:
+                return found, OF_FLANGE
+        raise
+
+
+def _import_file(library: Library, path: Path) -> Imported:
+    try:
+        content, poses_of = _load(path)
+    except TrajectoryFileError as error:
+        told, is_table = columns.look_closer(path, error)
+        return Imported(path, error=told, is_table=is_table)
     try:
         name = library.free_name(content.name)
         library.save(replace(content, name=name))
