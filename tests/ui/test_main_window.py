@@ -164,7 +164,7 @@ def test_the_stop_is_the_largest_control_of_its_bar(window):
 
 
 def test_the_arm_reaches_the_3d_view(controller, view, window):
-    assert view.joints is None
+    assert not view.joints
     controller.be_ready((1.0, 2.0, -3.0, 4.0, 5.0, 6.0))
     assert view.joints == ((1.0, 2.0, -3.0, 4.0, 5.0, 6.0), None, False)
     assert view.pose == ((56.128, 0.0, 213.266, 0.0, 85.0, 0.0), False)
@@ -176,7 +176,7 @@ def test_the_arm_reaches_the_3d_view(controller, view, window):
 def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
     window.hide()
     controller.be_ready((9.0,) * 6)
-    assert view.joints is None
+    assert not view.joints
     window.show()
     assert view.joints[0] == (9.0,) * 6
 
