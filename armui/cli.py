@@ -27,6 +27,7 @@ from armui.system.files import NO_STANDARD_INPUT, error_text, is_standard_input,
 _SIGNALLED: Final = 128
 """The number a shell adds to that of the signal that ended a command."""
 _COMMANDS: Final = {
+    "api": ("armui.interface.api_command", "say what the local interface offers to programs"),
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
     "export": ("armui.export", "write a recorded CAN log as MCAP, CSV or Parquet"),
@@ -67,6 +68,8 @@ def _run_command(name: str, words: Sequence[str]) -> int:
     module = importlib.import_module(_COMMANDS[name][0])
     parser = _command_parser(name)
     options = parser.parse_args(words)
+    if getattr(options, "api_on", False):
+        module = importlib.import_module("armui.headless")
     heard: list[int] = []
     try:
         with interrupting() as heard:

@@ -235,6 +235,7 @@ class Interface(QObject):
         self._asking: _Waiting | None = None
         self._consent: _Waiting | None = None
         self._followed: list[_Followed] = []
+        self._holder: ClientSession | None = None
         self._mark: ArmMark | None = None
         self._calling = False
         self._doing: Started | None = None
@@ -330,6 +331,7 @@ class Interface(QObject):
         self._cap_speed(lease)
         self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
         if waiting is not None:
+            self._holder = waiting.session
             value = {"lease": lease.number, "max_speed_percent": lease.max_speed_percent}
             self._answer(waiting, value)
         self._show()
@@ -547,9 +549,9 @@ class Interface(QObject):
         self._tell(LEASE_ENDED, client=str(lease.ask.client), reason=reason)
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
-            for session in {each.session for each in self._followed}:
-                self._server.tell("lease", params, session)
-            self._server.tell("lease", params)
+            if self._holder is not None:
+                self._server.tell("lease", params, self._holder)
+            self._holder = None
         self._show()
 
     def _cap_speed(self, lease: Lease) -> None:

@@ -81,6 +81,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="keep its settings in this file; without it they end with the command",
     )
+    api = parser.add_argument_group("the local interface, on a private bus")
+    api.add_argument(
+        "--api-on",
+        action="store_true",
+        help="serve the local interface, with the program's checks and no window: for the tests "
+        "and scripts of clients",
+    )
+    api.add_argument(
+        "--grant", action="store_true", help="grant the lease to whoever asks: nobody else is here"
+    )
+    api.add_argument("--socket", metavar="PATH", help="where it is served (the user's own place)")
     wrong = parser.add_argument_group("what goes wrong")
     wrong.add_argument(
         "--fault",
@@ -107,6 +118,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
+    if options.grant or options.socket:
+        sys.stderr.write("armui sim: --grant and --socket belong to --api-on\n")
+        return EXIT_CANNOT_BEGIN
     if options.generation == Generation.ONE and (options.firmware is not None or options.bugs):
         sys.stderr.write(
             "armui sim: --firmware and --bugs belong to generation 2: generation 1 tells no "

@@ -48,3 +48,11 @@ def test_a_stream_is_followed(leased, desk):
     rig.run(1.0)
     leased.read()
     assert rig.firmware.joints_deg[0] == pytest.approx(start[0] + 19.8, abs=0.2)
+
+
+def test_the_holder_is_told_why_the_lease_has_ended(leased, desk):
+    desk.take_back()
+    leased.wait(lambda: leased.told("lease"))
+    (told,) = leased.told("lease")
+    assert told["lease"] == leased.lease
+    assert told["reason"]["reason"] == "lease_taken_back"

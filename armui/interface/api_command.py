@@ -1,0 +1,29 @@
+"""`armui api`: what the local interface offers, for whoever writes a client."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declares the options of the command."""
+    parser.add_argument(
+        "--schema",
+        action="store_true",
+        required=True,
+        help="print the methods with their arguments, units and ranges as an OpenRPC document",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Runs the command with options read by `add_arguments`; returns the exit code."""
+    from armui.control.arm_controller import ArmController  # noqa: PLC0415 - Qt, for this only
+    from armui.interface.interface import openrpc  # noqa: PLC0415 - Qt
+
+    if options.schema:
+        operations = ArmController(lambda _device: iter(())).operations  # type: ignore[arg-type,return-value]
+        json.dump(openrpc(operations), sys.stdout, ensure_ascii=False, indent=2)
+        sys.stdout.write("\n")
+    return 0
