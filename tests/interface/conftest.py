@@ -48,14 +48,15 @@ class RawClient:
         return self.ids
 
     def read(self):
-        """Take in what has come."""
+        """Take in what has come; false once the other side has closed."""
         try:
             while chunk := self.socket.recv(65536):
                 self.kept += chunk
-            return False
         except BlockingIOError:
-            pass
+            return True
         except ConnectionError:
+            return False
+        else:
             return False
         finally:
             *lines, self.kept = self.kept.split(b"\n")
@@ -64,7 +65,6 @@ class RawClient:
                     self.notifications.append(line)
                 else:
                     self.answers[line["id"]] = line
-        return True
 
     def wait(self, condition, steps=500):
         """Let the rig's time go on until something has come."""

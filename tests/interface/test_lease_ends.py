@@ -1,0 +1,231 @@
+"""The lease ends by itself and by the operator, and its end halts the arm with power on (S29)."""
+
+import pytest
+
+from armui.control.motion.jog_path import JointJog
+from armui.control.operating_state import StopState
+from tests.company import OtherHost
+from tests.interface.conftest import with_lease
+
+FAR = [60.0, 60.0, -60.0, 0.0, 0.0, 0.0]
+
+
+def begin_motion(client, desk):
+    client.ask("motion.send", lease=client.lease, angles_deg=FAR)
+    desk.rig.run(0.3)
+    assert desk.rig.controller.operating_state.moving
+
+
+def stand_still(desk):
+    desk.rig.run(1.5)
+    before = tuple(desk.rig.firmware.joints_deg)
+    desk.rig.run(0.5)
+    assert desk.rig.firmware.joints_deg == pytest.approx(before, abs=0.05)
+    return before
+
+
+def reason_of(client):
+    client.wait(lambda: client.told("lease"))
+    return client.told("lease")[-1]["reason"]["reason"]
+
+
+def release(client, desk):
+    client.ask("lease.release", lease=client.lease)
+
+
+def go(client, desk):
+    client.close()
+
+
+def silence(client, desk):
+    desk.rig.run(1.2)
+
+
+def take_back(client, desk):
+    desk.take_back()
+
+
+def switch_off(client, desk):
+    desk.switch(on=False)
+
+
+@pytest.mark.parametrize("end", [release, go, silence, take_back, switch_off])
+def test_its_end_halts_the_motion_with_power_on(leased, desk, end):
+    begin_motion(leased, desk)
+    end(leased, desk)
+    desk.rig.run(0.3)
+    assert desk.view.lease is None
+    there = stand_still(desk)
+    assert there[0] < FAR[0] - 5.0, "the motion went on to its target"
+    assert all(desk.rig.controller.operating_state.enabled)
+
+
+def emergency_stop(rig):
+    rig.controller.emergency_stop()
+
+
+def halt(rig):
+    rig.controller.halt_and_hold()
+
+
+def jog(rig):
+    rig.controller.jogging.start(JointJog(1, -1))
+
+
+def send(rig):
+    rig.controller.begin("motion.send", [0.0, 10.0, -10.0, 0.0, 0.0, 0.0])
+
+
+def disable(rig):
+    rig.controller.motors.disable()
+
+
+@pytest.mark.parametrize(
+    ("act", "reason"),
+    [
+        (emergency_stop, "lease_stopped"),
+        (halt, "lease_stopped"),
+        (jog, "lease_operator_moved"),
+        (send, "lease_operator_moved"),
+        (disable, "lease_operator_moved"),
+    ],
+)
+def test_whatever_the_operator_does_ends_it_at_once(leased, desk, act, reason):
+    begin_motion(leased, desk)
+    act(desk.rig)
+    assert desk.view.lease is None
+    assert reason_of(leased) == reason
+    wrong = leased.refused("motion.send", lease=leased.lease, angles_deg=FAR)
+    assert wrong["data"]["reason"] == "lease_not_held"
+
+
+def test_his_motion_goes_on_undisturbed(leased, desk):
+    begin_motion(leased, desk)
+    send(desk.rig)
+    desk.rig.run(4.0)
+    assert desk.rig.firmware.joints_deg == pytest.approx((0, 10, -10, 0, 0, 0), abs=0.1)
+
+
+def test_a_second_host_ends_it(leased, desk):
+    host = OtherHost(desk.rig)
+    host.move_to((1, 0, 0, 0, 0, 0))
+    desk.rig.run(0.3)
+    assert desk.view.lease is None
+    assert reason_of(leased) == "lease_other_host"
+    host.close()
+
+
+def test_a_silent_arm_ends_it(leased, desk):
+    desk.rig.powered = False
+    for _ in range(4):
+        leased.begin("ping")
+        desk.rig.run(0.3)
+    assert desk.view.lease is None
+    desk.rig.powered = True
+    assert reason_of(leased) == "lease_arm_changed"
+
+
+def test_another_connection_ends_it(leased, desk):
+    desk.rig.controller.disconnect_device()
+    desk.rig.run(0.1)
+    assert desk.view.lease is None
+    assert reason_of(leased) == "lease_arm_changed"
+
+
+def test_nobody_there_for_half_a_minute_is_a_refusal(client, desk):
+    asked = client.begin("lease.request", purpose="x", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    for _ in range(32):
+        desk.rig.run(1.0)
+    assert client.answer(asked)["error"]["data"]["reason"] == "lease_not_granted"
+    assert desk.view.asked is None
+    desk.grant(50)
+    assert desk.view.lease is None
+
+
+def test_two_clients_for_one_lease(leased, connect, desk):
+    other = connect("other")
+    wrong = other.refused("lease.request", purpose="x", moves=True, max_speed_percent=50)
+    assert wrong["data"]["reason"] == "lease_taken"
+    wrong = other.refused("motion.send", lease=leased.lease, angles_deg=FAR)
+    assert wrong["data"]["reason"] == "lease_not_held", "the number of another's lease"
+
+
+def test_stop_and_halt_need_none(client, desk):
+    client.ask("halt")
+    client.ask("stop")
+    controller = desk.rig.controller
+    desk.rig.run_until(lambda: controller.operating_state.stop is StopState.STOPPED)
+
+
+def test_the_operators_speed_slows_it_and_more_than_granted_is_refused(client, desk):
+    with_lease(client, desk, percent=40)
+    motion = desk.rig.controller.motion
+    wrong = client.refused("motion.set_speed", lease=client.lease, percent=41)
+    assert wrong["data"]["reason"] == "lease_too_fast"
+    client.ask("motion.set_speed", lease=client.lease, percent=30)
+    assert motion.speed_percent == 30
+    motion.set_speed_percent(100)
+    desk.rig.run(0.1)
+    assert motion.speed_percent == 40, "above what was granted"
+    assert desk.view.lease is not None, "a speed is no motion"
+    motion.set_speed_percent(5)
+    desk.rig.run(0.1)
+    assert motion.speed_percent == 5
+
+
+def test_one_without_motions_moves_nothing(client, desk):
+    asked = client.begin("lease.request", purpose="lamps", moves=False, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    desk.grant(50)
+    client.lease = client.answer(asked)["result"]["lease"]
+    wrong = client.refused("motion.home", lease=client.lease)
+    assert wrong["data"]["reason"] == "lease_moves_nothing"
+    wrong = client.refused("stream.target", lease=client.lease, joints_deg=FAR)
+    assert wrong["data"]["reason"] == "lease_moves_nothing"
+
+
+def test_what_needs_consent_is_asked_each_time(leased, desk):
+    for given in (False, True, False):
+        enabled = leased.begin("motors.disable", lease=leased.lease)
+        leased.wait(lambda: desk.view.consent is not None)
+        assert desk.view.consent.operation == "motors.disable"
+        if given:
+            break
+        desk.consent(given=False)
+        assert leased.answer(enabled)["error"]["data"]["reason"] == "lease_declined"
+        assert all(desk.rig.controller.operating_state.enabled)
+    desk.consent(given=True)
+    assert "number" in leased.answer(enabled)["result"]
+    desk.rig.run(1.0)
+    assert not any(desk.rig.controller.operating_state.enabled)
+
+
+def test_a_consent_of_an_ended_lease_does_nothing(leased, desk):
+    leased.begin("motors.disable", lease=leased.lease)
+    leased.wait(lambda: desk.view.consent is not None)
+    desk.take_back()
+    desk.consent(given=True)
+    desk.rig.run(1.0)
+    assert all(desk.rig.controller.operating_state.enabled)
+
+
+def test_granted_for_the_session_it_is_not_asked_again(client, desk):
+    asked = client.begin("lease.request", purpose="x", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    desk.grant(50, for_session=True)
+    lease = client.answer(asked)["result"]["lease"]
+    client.ask("lease.release", lease=lease)
+    again = client.ask("lease.request", purpose="x", moves=True, max_speed_percent=50)
+    assert again["lease"] > lease
+    client.ask("lease.release", lease=again["lease"])
+    client.begin("lease.request", purpose="x", moves=True, max_speed_percent=60)
+    client.wait(lambda: desk.view.asked is not None)
+
+
+def test_events_name_client_and_operation(leased, desk):
+    leased.ask("motion.send", lease=leased.lease, angles_deg=FAR)
+    told = {event.code: event.params for event in desk.rig.events}
+    assert "a script" in told["lease_asked"]["client"]
+    assert "a script" in told["client_asks"]["client"]
+    assert told["lease_granted"]["percent"] == 100
