@@ -237,6 +237,7 @@ class Interface(QObject):
         self._followed: list[_Followed] = []
         self._holder: ClientSession | None = None
         self._mark: ArmMark | None = None
+        self._began: tuple[StopState, int | None] | None = None
         self._calling = False
         self._doing: Started | None = None
         self._problem: Refusal | None = None
@@ -327,7 +328,9 @@ class Interface(QObject):
 
     def _granted(self, lease: Lease) -> None:
         waiting, self._asking = self._asking, None
+        now = self._controller.operating_state
         self._mark = self._controller.mark
+        self._began = now.stop, _fault_of(now)
         self._cap_speed(lease)
         self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
         if waiting is not None:
@@ -515,7 +518,7 @@ class Interface(QObject):
 
     def _why_no_lease(self) -> Refusal | None:
         """Return why nobody can be granted the arm now, or ``None``."""
-        now = self._controller.operating_state
+        now, self._began = self._controller.operating_state, None
         return now.unreachable or self._why_over(now, self._controller.mark)
 
     def _lease_of(self, waiting: _Waiting) -> Lease:
@@ -614,10 +617,13 @@ class Interface(QObject):
             self._answer(waiting, refused(begun))
         elif isinstance(begun, Started):
             self._answer(waiting, {"number": begun.number})
-            self._followed.append(_Followed(session, begun))
-            self._doing = begun
+            self._follow_outcome(session, begun)
         else:
             self._answer(waiting, {"number": None})
+
+    def _follow_outcome(self, session: ClientSession, started: Started) -> None:
+        self._followed.append(_Followed(session, started))
+        self._doing = started
 
     def _on_begun(self, name: str) -> None:
         """End the lease when the operator moves the arm, or does what needs his consent."""
@@ -670,8 +676,7 @@ class Interface(QObject):
             self._calling = False
         if isinstance(begun, Refusal):
             return begun
-        self._doing = begun
-        self._followed.append(_Followed(target.session, begun))
+        self._follow_outcome(target.session, begun)
         return None
 
     def _end_stream(self) -> None:
@@ -704,15 +709,22 @@ class Interface(QObject):
         self._show()
 
     def _why_over(self, now: OperatingState, mark: ArmMark | None) -> Refusal | None:
-        """Return why nobody but the operator may have the arm now, or ``None``."""
-        if now.stop is not StopState.RUNNING:
-            return leases.LEASE_STOPPED()
+        """Return why nobody but the operator may have the arm now, or ``None``.
+
+        A stop or a fault that the operator has granted the arm in ends nothing: it is to be left.
+        """
         if mark is None or now.unreachable or not mark.is_still(self._controller.mark):
             return leases.LEASE_ARM_CHANGED()
-        if now.other_host is not None or now.mover in _OTHERS:
+        if now.other_host is not None:
+            return now.other_host.refusal
+        if now.mover in _OTHERS:
             return leases.LEASE_OTHER_HOST()
-        if now.status is not None and now.status.arm_status in _FAULTS:
+        stop, fault = self._began or (now.stop, _fault_of(now))
+        if now.stop is not stop and now.stop in {StopState.REQUESTED, StopState.STOPPED}:
+            return leases.LEASE_STOPPED()
+        if _fault_of(now) not in {None, fault}:
             return leases.LEASE_FAULT()
+        self._began = now.stop, _fault_of(now)
         return None
 
     def _tell_outcomes(self) -> None:
@@ -775,6 +787,11 @@ class Interface(QObject):
         if view != self._view:
             self._view = view
             self.changed.emit(view)
+
+
+def _fault_of(now: OperatingState) -> int | None:
+    code = None if now.status is None else now.status.arm_status
+    return code if code in _FAULTS else None
 
 
 def openrpc(operations: Mapping[str, BoundOperation]) -> Json:

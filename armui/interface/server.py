@@ -229,8 +229,8 @@ class Server:
         self._sessions[number] = session
         try:
             await self._read(session, reader)
-        except (ConnectionError, asyncio.IncompleteReadError):
-            pass
+        except (ConnectionError, asyncio.IncompleteReadError, asyncio.CancelledError):
+            pass  # it is over; asyncio's server reports a task that was cancelled as a failure
         except Exception:  # noqa: BLE001 - one client's session must not take the others' away
             _LOG.exception("A session of the local interface failed")
         finally:

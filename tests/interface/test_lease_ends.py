@@ -111,7 +111,7 @@ def test_a_second_host_ends_it(leased, desk):
     host.move_to((1, 0, 0, 0, 0, 0))
     desk.rig.run(0.3)
     assert desk.view.lease is None
-    assert reason_of(leased) == "lease_other_host"
+    assert reason_of(leased) == "other_host"
     host.close()
 
 

@@ -1,0 +1,139 @@
+"""A client of the local interface that carries out operations, for the tests of every operation."""
+
+from __future__ import annotations
+
+import enum
+import inspect
+import json
+import socket
+import tempfile
+import time
+from pathlib import Path
+from typing import Any, Final
+
+from PySide6.QtCore import QCoreApplication
+
+from armui.arm.refusal import Reason, Refusal
+from armui.control.operations.started import Started
+from armui.interface import lease as leases
+from armui.interface.interface import Interface
+from armui.interface.messages import Code
+from armui.interface.plain_forms import WITHOUT
+from tests.safety.operation_driver import Answer, ControllerDriver
+
+_WITHIN_S: Final = 20.0
+_PING_S: Final = 0.4
+_OF_LEASES: Final = {each.id: each for each in vars(leases).values() if isinstance(each, Reason)}
+
+
+class _KeptInterface(Interface):
+    """Keeps the record of each operation that a client has begun."""
+
+    begun: Started | None = None
+
+    def _follow_outcome(self, session: Any, started: Started) -> None:
+        self.begun = started
+        super()._follow_outcome(session, started)
+
+
+class ClientDriver(ControllerDriver):
+    """A client behind the socket; what no client can ask for is done by the controller.
+
+    The operator grants whatever it asks for.
+    """
+
+    def __init__(self, channel: str) -> None:
+        super().__init__(channel)
+        self._folder = tempfile.TemporaryDirectory()
+        path = Path(self._folder.name) / "private" / "api.sock"
+        self.interface = _KeptInterface(
+            self.controller, path, lambda: self.time_s, grants_itself=True
+        )
+        self.interface.switch(on=True)
+        self._socket = socket.socket(socket.AF_UNIX)
+        self._socket.connect(str(path))
+        self._socket.settimeout(_WITHIN_S)
+        self._socket.setblocking(False)
+        self._kept, self._ids, self._pinged_s = b"", 0, 0.0
+        self._ask("hello", client="a client", protocol=1)
+
+    def begin(self, name: str, *arguments: Any, **named: Any) -> Answer:
+        """Carry out an operation over the socket, with the lease; nobody's time goes on."""
+        if name in WITHOUT:
+            return super().begin(name, *arguments, **named)
+        held = self.interface.view.lease
+        if held is None:
+            answer = self._ask("lease.request", purpose="a test", moves=True)
+            if "error" in answer:
+                return self._refusal(answer["error"])
+            held = self.interface.view.lease
+            assert held is not None
+        self.interface.begun = None
+        params = self._params(name, arguments, named)
+        answer = self._as_a_slot(lambda: self._ask(name, lease=held.number, **params))
+        self._settle_what_was_said()
+        if answer is None:
+            return None
+        return self._refusal(answer["error"]) if "error" in answer else self.interface.begun
+
+    def _params(
+        self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]
+    ) -> dict[str, object]:
+        signature = inspect.signature(self.controller.operations[name].carry_out)
+        bound = signature.bind(None, *arguments, **named)
+        bound.arguments.pop("started")
+        return {key: _plain(value) for key, value in bound.arguments.items()}
+
+    def _refusal(self, error: dict[str, Any]) -> Refusal | None:
+        if error["code"] == Code.INTERNAL:
+            return None  # as of a slot of the window that fails
+        code = error.get("data", {}).get("reason")
+        assert code is not None, error
+        if code in _OF_LEASES:
+            return _OF_LEASES[code](**error["data"]["figures"])
+        told = [each for each in self.refusals if each.code == code]
+        if not told:
+            other = self.now.other_host
+            told = [] if other is None or other.refusal.code != code else [other.refusal]
+        return told[-1] if told else Reason(code, error["message"])()
+
+    def _ask(self, method: str, **params: object) -> dict[str, Any]:
+        self._ids += 1
+        call = {"jsonrpc": "2.0", "id": self._ids, "method": method, "params": params}
+        self._socket.sendall(json.dumps(call).encode() + b"\n")
+        until_s = time.monotonic() + _WITHIN_S
+        while True:
+            QCoreApplication.processEvents()
+            try:
+                self._kept += self._socket.recv(65536)
+            except BlockingIOError:
+                time.sleep(0.0002)
+            *lines, self._kept = self._kept.split(b"\n")
+            for line in map(json.loads, lines):
+                if line.get("id") == self._ids:
+                    answer: dict[str, Any] = line
+                    return answer
+            assert time.monotonic() < until_s, f"{method} was not answered"
+
+    def step(self, dt_s: float = 0.04) -> None:
+        """Let a step's time pass; the client says that it is there."""
+        if self.time_s - self._pinged_s >= _PING_S and not self._closed:
+            self._pinged_s = self.time_s
+            self._ask("ping")
+        super().step(dt_s)
+
+    def close(self) -> None:
+        """End everything."""
+        if not self._closed:
+            self._socket.close()
+            assert self.interface.end()
+            self._folder.cleanup()
+        super().close()
+
+
+def _plain(value: Any) -> object:
+    if isinstance(value, enum.Enum):
+        return value.name.lower()
+    if isinstance(value, tuple | list):
+        return [_plain(each) for each in value]
+    return value.item() if hasattr(value, "item") else value
