@@ -54,6 +54,7 @@ from armui.sim.parameters.settings_applier import SettingsApplier
 
 _NS_PER_S: Final = 1_000_000_000
 _ALL_INDICES: Final = range(JOINT_COUNT)
+_MOST_SLIP_DEG: Final = 90.0
 
 
 class Firmware:
@@ -325,6 +326,15 @@ class Firmware:
     def corrupt_limits(self, joint: int) -> None:
         """Makes a joint's (1–6) limits read back as 0xFFFF, as from a worn flash."""
         self._parameter_server.corrupt_limits(joint - 1)
+
+    def slip(self, joint: int, angle_deg: float) -> None:
+        """Turns a joint (1–6) by an angle towards its middle, without its encoder counting.
+
+        0x150 resume shows it.
+        """
+        stop, now_deg = self.settings_applier.stops[joint - 1], self.reported_deg[joint - 1]
+        step_deg = math.copysign(angle_deg, (stop.min_deg + stop.max_deg) / 2.0 - now_deg)
+        self.settings_applier.slip(joint - 1, step_deg, most_deg=_MOST_SLIP_DEG)
 
     def _advance(self, to_ns: int) -> None:
         dt_s = (to_ns - self._now_ns) / _NS_PER_S

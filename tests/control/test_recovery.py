@@ -20,8 +20,8 @@ REST_DEG = (0.0,) * 6
 AWAY_DEG = (0.0, 40.0, -20.0, 0.0, 0.0, 0.0)
 BEYOND = "0007A120 00000000"  # 500 deg
 
-UNSEEN = {"corrupt-limits", "garbage", "lost-frames", "latency"}
-"""They break the bus or a setting, and leave the arm as ready as it was."""
+UNSEEN = {"corrupt-limits", "garbage", "lost-frames", "latency", "stiff-joint", "hot-joint", "slip"}
+"""They break the bus, a setting or a joint's ease, and leave the arm as ready as it was."""
 
 
 def test_every_action_is_carried_out_here_or_opens_a_window(rig):

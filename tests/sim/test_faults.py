@@ -339,3 +339,54 @@ def test_its_shift_ends_at_the_stop_and_may_be_smaller_than_the_excursion() -> N
     arm.step(1.0)
     assert arm.true_joints_deg[4] == pytest.approx(-65.0)
     assert heard(arm.step(0.02), 0x2A7)[-1] == "00004E2000000000"
+
+
+def swung(arm: Firmware) -> tuple[float, float]:
+    """How far joint 3 is behind at its top speed, in degrees, and its motor's current there."""
+    tell(arm, mode(10), *target(0, 90.0, -90.0, 0, 0, 0))
+    arm.step(60.0)
+    tell(arm, mode(10), *target(0, 90.0, -60.0, 0, 0, 0))
+    frames = arm.step(1.2)
+    behind = arm.mechanics.setpoints_deg[2] - arm.joints_deg[2]
+    return behind, int(heard(frames, 0x253)[-1][4:8], 16) / 1000.0
+
+
+def test_a_stiff_joint_stays_behind_and_needs_more_current_until_the_fault_ends() -> None:
+    arm = ready()
+    faults, broken = breaking(arm), fault("stiff-joint", 3)
+    behind, current = swung(arm)
+    assert behind == pytest.approx(arm.mechanics.sag_deg[2])
+    faults.start(broken)
+    stiff_behind, stiff_current = swung(arm)
+    # 5 · 0.4 N·m; assumed: 0.3° for each N·m
+    assert stiff_behind - behind == pytest.approx(0.6, abs=0.05)
+    assert abs(stiff_current - current) == pytest.approx(2.0 / arm.type.nm_per_ampere[2], rel=0.05)
+    arm.step(30.0)
+    assert arm.joints_deg[2] == pytest.approx(-60.0, abs=0.5)  # it arrives nevertheless
+    faults.end(broken)
+    assert swung(arm) == pytest.approx((behind, current), abs=1e-3)
+
+
+def test_a_joint_runs_hot_without_an_alarm_until_the_fault_ends() -> None:
+    arm = ready()
+    faults, broken = breaking(arm), fault("hot-joint", 2)
+    before = arm.drivers.motor_temperatures_c[1]
+    faults.start(broken)
+    arm.step(10.0)
+    assert arm.drivers.motor_temperatures_c[1] == pytest.approx(before + 25.0, abs=2.0)
+    assert told(arm)[:2] == ("00", "00")
+    faults.end(broken)
+    assert arm.drivers.motor_temperatures_c[1] == pytest.approx(before, abs=2.0)
+
+
+@pytest.mark.parametrize(("joint", "slips_deg"), [(5, 5.0), (2, 5.0), (3, -5.0)])
+def test_what_has_slipped_shows_at_the_next_resume(joint: int, slips_deg: float) -> None:
+    arm = ready()
+    place = joint - 1
+    breaking(arm).start(fault("slip", joint))
+    arm.step(0.1)
+    assert arm.reported_deg[place] == 0.0
+    assert abs(arm.true_joints_deg[place]) == pytest.approx(abs(slips_deg))
+    tell(arm, RESUME)
+    assert arm.reported_deg[place] == pytest.approx(arm.true_joints_deg[place])
+    assert abs(arm.reported_deg[place]) == pytest.approx(5.0)

@@ -21,6 +21,7 @@ _ANY_PUSH_NM: Final = 40.0
 """More torque than any collision level explains."""
 
 _LOW_SUPPLY_V: Final = 18.0
+_SLIP_DEG: Final = 5.0
 
 _SYNTAX: Final = re.compile(
     r"(?P<name>[a-z-]+)(:(?P<value>[0-9.]+))?@(?P<start>[0-9.]+)(-(?P<end>[0-9.]+))?"
@@ -134,6 +135,20 @@ FAULTS: Final[dict[str, FaultKind]] = {
         lambda arm, joint, present: arm.protection.push(
             joint - 1, _ANY_PUSH_NM if present else 0.0
         ),
+    ),
+    "stiff-joint": _arm_fault(
+        "a joint turns stiffly: it stays behind, and needs more current",
+        lambda arm, joint, present: arm.mechanics.stiffen(joint - 1, stiff=present),
+    ),
+    "hot-joint": _arm_fault(
+        "a joint is 25 °C warmer than its work explains, which raises no alarm",
+        lambda arm, joint, present: arm.drivers.run_hot(joint - 1, on=present),
+    ),
+    "slip": FaultKind(
+        f"a joint slips by {_SLIP_DEG:g}°; its feedback shows it at the next 0x150 resume",
+        FaultParameter.JOINT,
+        5.0,
+        lambda on, joint, present: on.arm.slip(int(joint), _SLIP_DEG) if present else None,
     ),
     "lost-reference": FaultKind(
         "a joint reports an excursion of 60° and its return, and stands as far off from then on; "

@@ -35,6 +35,8 @@ _DRIVER_SHARE: Final = 0.6
 """The warming of a driver as a part of its motor's."""
 _WARMING_TIME_S: Final = 90.0
 _OVERHEATED_C: Final = 95.0
+_WARMER_C: Final = 25.0
+"""A joint that runs hot is as much warmer, which raises no alarm."""
 
 
 class Drivers:
@@ -66,6 +68,7 @@ class Drivers:
         self.motor_temperatures_c = list(self._ambient_c)
         self.driver_temperatures_c = list(self._ambient_c)
         self.supply_v = SUPPLY_V
+        self._warmer: set[int] = set()
         self._hot_motors: set[int] = set()
         self._hot_drivers: set[int] = set()
 
@@ -81,6 +84,7 @@ class Drivers:
             powered,
             mechanics.weight.payload_kg,
             mechanics.weight.pushes_nm,
+            mechanics.drag_nm,
             driven,
         )
         if measured == self._measured:
@@ -98,6 +102,7 @@ class Drivers:
             else (
                 _INERTIA_KG_M2[i] * radians(accelerations_deg_s2[i])
                 + _FRICTION_NM_S_RAD[i] * self._speeds_rad_s[i]
+                + mechanics.friction_nm(i)
                 - gravity[i]
                 if powered[i]
                 else 0.0
@@ -124,7 +129,14 @@ class Drivers:
                 temperatures[index] = _OVERHEATED_C
                 continue
             goal_c = min(ambient_c + part * heat_c, _HOTTEST_C)
+            goal_c += _WARMER_C if index in self._warmer else 0.0
             temperatures[index] += (goal_c - temperatures[index]) * share
+
+    def run_hot(self, index: int, *, on: bool) -> None:
+        """Makes a motor and its driver (0–5) warmer than their work explains, or as they were."""
+        (self._warmer.add if on else self._warmer.discard)(index)
+        for temperatures in (self.motor_temperatures_c, self.driver_temperatures_c):
+            temperatures[index] += _WARMER_C if on else -_WARMER_C
 
     def overheat_motor(self, index: int, *, on: bool) -> None:
         """Heats a motor (0–5) far beyond its limit, or lets it cool."""

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Protocol
+from math import tanh
+from typing import Final, Protocol
 
 from armui.arm.limits import JointLimits
 from armui.sim.mechanics.driver_loop import LIMP, DriverLoop, DriverSetpoint
 from armui.sim.mechanics.gravity import Weight
+from armui.sim.mechanics.joint_dynamics import JointLosses
 from armui.sim.mechanics.powered_joints import JOINT_COUNT, STANDSTILL, JointMotion, SixValues
 from armui.sim.mechanics.unpowered_joints import LimpJoints, UnpoweredJoints
+
+_STIFF_NM: Final = tuple(5.0 * dry_nm for dry_nm in JointLosses().dry_nm)
+"""The friction that a stiff joint has beside that of a healthy one: assumed."""
+_YIELDS_DEG_NM: Final = 0.3
+"""How far a driver lets its joint stay behind for each N·m of such friction: assumed."""
+_BREAKS_LOOSE_DEG_S: Final = 2.0
+"""About the speed from which on the friction no longer grows."""
 
 
 class HandGuiding:
@@ -111,6 +120,8 @@ class Mechanics:
         accelerations_deg_s2: Their accelerations under power.
         powered: For each motor, true if it has power.
         weight: The loads on the joints.
+        drag_nm: The dry friction that powered joints have beside the drivers' model, normally none;
+            they stay behind by it.
     """
 
     def __init__(self, positions_deg: Iterable[float], weight: Weight | None = None) -> None:
@@ -120,6 +131,7 @@ class Mechanics:
         self._hand: HandGuiding | None = None
         self._loop = DriverLoop(self.weight)
         self._sag_deg: SixValues = STANDSTILL
+        self.drag_nm: SixValues = STANDSTILL
         self._limp = LimpJoints(self.weight)
         self.positions_deg: SixValues = self._motion.positions_deg
         self.speeds_deg_s: SixValues = STANDSTILL
@@ -153,6 +165,15 @@ class Mechanics:
     def gives_way(self) -> bool:
         """True if a hand can move the joints."""
         return self._hand is not None
+
+    def stiffen(self, index: int, *, stiff: bool) -> None:
+        """Makes a joint (0–5) turn stiffly, or easily again."""
+        drag_nm = _STIFF_NM[index] if stiff else 0.0
+        self.drag_nm = (*self.drag_nm[:index], drag_nm, *self.drag_nm[index + 1 :])
+
+    def friction_nm(self, index: int) -> float:
+        """Return the torque by which its drag resists the present turn of a joint (0–5)."""
+        return self.drag_nm[index] * tanh(self._motion.speeds_deg_s[index] / _BREAKS_LOOSE_DEG_S)
 
     def power_on(self, indices: Iterable[int]) -> None:
         """Powers motors; each holds its joint in place."""
@@ -311,6 +332,16 @@ class Mechanics:
         """Return the setpoints at which the joints stand there."""
         return self._shifted(positions_deg, -1.0)
 
+    def _behind(self, setpoints_deg: SixValues) -> SixValues:
+        """Return where the joints stand that are driven to setpoints: off by their sag and drag."""
+        there = self._shifted(setpoints_deg, 1.0)
+        if self._hand is not None or not any(self.drag_nm):
+            return there
+        return tuple(
+            angle - _YIELDS_DEG_NM * self.friction_nm(i) if self._holds(i) else angle
+            for i, angle in enumerate(there)
+        )
+
     def _shifted(self, positions_deg: SixValues, sign: float) -> SixValues:
         """Angles moved by the sag of the joints that are held."""
         if not any(self._sag_deg):
@@ -322,7 +353,7 @@ class Mechanics:
 
     def _driven_and_limp(self) -> SixValues:
         """Return where the plan has the joints it drives, and where the limp ones are."""
-        driven = self._shifted(self._motion.positions_deg, 1.0)
+        driven = self._behind(self._motion.positions_deg)
         return tuple(
             self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
         )
@@ -335,7 +366,7 @@ class Mechanics:
         if self._limp:
             self.positions_deg = self._driven_and_limp()
         else:
-            self.positions_deg = self._shifted(self._motion.positions_deg, 1.0)
+            self.positions_deg = self._behind(self._motion.positions_deg)
         self._read_speeds()
 
     def _read_speeds(self) -> None:

@@ -31,6 +31,9 @@ AT_A_JOINT: Final = Texts("SimulatedFault") | {
     "driver-error": "Driver fails",
     "stall": "Joint blocked",
     "collision": "Collision (40 N·m)",
+    "stiff-joint": "Joint turns stiffly",
+    "hot-joint": "Joint runs hot",
+    "slip": "Slips by 5°, seen at resume",
     "lost-reference": "Reference lost, until resume",
     "corrupt-limits": "Limits 0xFFFF, until reset",
 }
@@ -44,7 +47,7 @@ OF_THE_ARM: Final = Texts("SimulatedFault") | {
     "garbage": "Foreign frames, 100/s",
 }
 """The faults by their names in `armui.sim.faults.schedule`."""
-_ONCE: Final = frozenset({"lost-reference", "corrupt-limits"})
+_ONCE: Final = frozenset({"lost-reference", "corrupt-limits", "slip"})
 """The faults whose end changes nothing."""
 
 

@@ -63,8 +63,9 @@ SEEN = {
 }
 """What each fault is called in the events of each generation."""
 
-MEASURED = {"latency", "lost-reference"}
-"""What no frame tells: how long an answer takes; what the reference watch concludes from angles."""
+MEASURED = {"latency", "lost-reference", "stiff-joint", "hot-joint", "slip"}
+"""What no frame tells: how long an answer takes; what the reference watch, the joint inspection and
+the comparison at a resume conclude from angles, currents and temperatures."""
 LATE_S = {"offline": 0.6, "fewer_frames": 8.1}
 """What is only known after a while: half a second of silence, three spans of two seconds after the
 one in which it begins."""
