@@ -1,10 +1,18 @@
-"""The record of an arm's reference: which joints are in doubt, and how the last check ended."""
+"""The record of an arm: which joints are in doubt, and what checks and inspections have found."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
+from typing import Any
 
+from armui.arm.inspection_record import (
+    KEPT,
+    InspectionEntry,
+    ResumeEntry,
+    read_inspections,
+    read_resumes,
+)
 from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
 
@@ -24,6 +32,7 @@ class ReferenceRecord:
         off_deg: What that check found: the joints that were off, each with its degrees.
         pose_deg: The pose taught as reference for joints without a mark, six angles; empty: none.
         photo: The file with a photo of the arm in that pose; "" if there is none.
+        inspections, resumes: What the last ones of each have shown, the newest last.
     """
 
     doubtful: tuple[int, ...] = ()
@@ -32,8 +41,10 @@ class ReferenceRecord:
     off_deg: Mapping[int, float] = field(default_factory=dict)
     pose_deg: tuple[float, ...] = ()
     photo: str = ""
+    inspections: tuple[InspectionEntry, ...] = ()
+    resumes: tuple[ResumeEntry, ...] = ()
 
-    def as_entry(self) -> dict[str, object]:
+    def as_entry(self) -> dict[str, Any]:
         """Return the record as JSON has it."""
         off_deg = {str(joint): off for joint, off in self.off_deg.items()}
         return asdict(self) | {"off_deg": off_deg}
@@ -68,6 +79,8 @@ def read_record(entry: object) -> ReferenceRecord | None:
         dict(zip(joints, figures[len(pose_deg) :], strict=True)),
         tuple(figures[: len(pose_deg)]),
         texts[2],
+        read_inspections(entry.get("inspections")),
+        read_resumes(entry.get("resumes")),
     )
 
 
@@ -81,7 +94,7 @@ def record_in(entry: object) -> ReferenceRecord | None:
     return read_record(entry) or ReferenceRecord(doubtful=tuple(JOINTS))
 
 
-def merged_entry(before: ReferenceRecord, now: ReferenceRecord, found: object) -> dict[str, object]:
+def merged_entry(before: ReferenceRecord, now: ReferenceRecord, found: object) -> dict[str, Any]:
     """Return the entry to keep of a record that was changed, where another program may have been.
 
     What was changed counts, the rest is as it was found. A doubt goes only with what cleared it:
@@ -100,7 +113,11 @@ def merged_entry(before: ReferenceRecord, now: ReferenceRecord, found: object) -
     changed = {name: value for name, value in entry.items() if value != known[name]}
     noted, cleared = ({*now.doubtful} - {*before.doubtful}, {*before.doubtful} - {*now.doubtful})
     doubtful = ({*theirs.doubtful} | noted) - cleared
-    return {**theirs.as_entry(), **found, **changed, "doubtful": tuple(sorted(doubtful))}
+    merged = {**theirs.as_entry(), **found, **changed, "doubtful": tuple(sorted(doubtful))}
+    for name in ("inspections", "resumes"):
+        added = [each for each in entry[name] if each not in known[name]]
+        merged[name] = [*theirs.as_entry()[name], *added][-KEPT:]
+    return merged
 
 
 def _is_joint(value: object) -> bool:

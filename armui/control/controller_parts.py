@@ -37,6 +37,7 @@ from armui.control.operations.operation import Operations
 from armui.control.parameters.arm_settings import ArmSettings
 from armui.control.parameters.planning_model import planning_model, tool_capsule
 from armui.control.requests.transactions import TransactionQueue
+from armui.control.run.inspection import Inspection
 from armui.control.run.player import Player
 from armui.control.run.recorder import Recorder
 from armui.control.run.replayer import Replayer
@@ -44,6 +45,7 @@ from armui.control.run.speed_override import SpeedOverride
 from armui.control.safety.gate import Gate
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
+from armui.control.safety.resume_slips import ResumeSlips
 from armui.control.safety.sinking_control import SinkingControl
 from armui.control.sessions.session_recorder import SessionRecorder
 
@@ -248,6 +250,16 @@ class ControllerParts(QObject):
         )
 
     @cached_property
+    def inspection(self) -> Inspection:
+        """The part that has each joint swing, and compares what that shows."""
+        now = self._context.clock
+        return Inspection(self._context, self.replayer, self.reference, lambda: self._wall(now()))
+
+    @cached_property
+    def _resume_slips(self) -> ResumeSlips:
+        return ResumeSlips(self._context, self.reference, self._wall)
+
+    @cached_property
     def sinking(self) -> SinkingControl:
         """The part that warns while the arm moves though nothing holds it or told it to (S37)."""
         return SinkingControl(
@@ -359,6 +371,8 @@ class ControllerParts(QObject):
             self.transactions,
             self.settings,
             self.teaching,
+            self.inspection,
+            self._resume_slips,
             self.reference,
             self.sinking,
             self.mode_exit,
@@ -374,7 +388,7 @@ class ControllerParts(QObject):
         parts = (self.motors, self.joint_errors, self.zeroing, self.lights, self.gripper)
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
-        runs = (self.player, self.replayer, self.speed_override, self.recorder)
+        runs = (self.player, self.replayer, self.speed_override, self.recorder, self.inspection)
         return Operations((*parts, *more, *motions, *runs, self.cell, self.reference))
 
     # What more than one part ends -------------------------------------------------------------

@@ -121,6 +121,10 @@ class Replayer(Execution):
     @operation("replay.start", "Replay a recording", why_not_run, moves=True, shown_first=True)
     def start(self, started: Started, replay: Replay) -> Refusal | None:
         """Begin a replay with the approach to its first angles, or return why not."""
+        return self.begin(started, replay)
+
+    def begin(self, started: Started, replay: Replay) -> Refusal | None:
+        """Do so for any operation of the controller, which has asked its own reasons before."""
         context = self._context
         refusal = why_not(replay)
         most, self._too_fast = most_percent(replay, context.operating_state())

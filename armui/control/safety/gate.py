@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
     from armui.ways.law import Judgement, Marks
     from armui.ways.rules import Rules
+    from armui.ways.swings import Swing
     from armui.ways.way import Way
 
 NOT_IN_TIME = Reason(
@@ -292,6 +293,22 @@ class Gate(ControllerPart):
     def _let_through(self, judged: Judgement, way: Way) -> Pass:
         self._marks = judged.marks
         return Pass(way)
+
+    def room_to_swing(
+        self, begin_deg: Sequence[float], amplitude_deg: float
+    ) -> Future[tuple[Swing, ...]] | None:
+        """Have a thread find how far each joint may swing; nothing is sent, or noted.
+
+        Args:
+            begin_deg: Where the arm rests.
+            amplitude_deg: How far each is to swing to either side.
+        """
+        rules, marks = self.rules(), self._marks
+        if rules is None:
+            return None
+        from armui.ways.swings import swings  # noqa: PLC0415 - numpy
+
+        return self._in_background(lambda: swings(begin_deg, amplitude_deg, rules, marks))
 
     # What is sent -------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from datetime import datetime
 from typing import Final, Protocol
 
 from armui.arm.figures import JointNumber
+from armui.arm.inspection_record import KEPT, InspectionEntry, ResumeEntry
 from armui.arm.limits import JOINTS
 from armui.arm.reference_record import ReferenceRecord
 from armui.arm.refusal import Reason, Refusal
@@ -312,6 +313,14 @@ class ReferenceControl(ControllerPart):
     def keep_photo(self, path: str) -> None:
         """Keep the name of the file with a photo of the arm in its reference pose."""
         self._keep(replace(self.record, photo=path))
+
+    def keep_resume(self, entry: ResumeEntry) -> None:
+        """Keep with the arm by how much its feedback jumped at a resume."""
+        self._keep(replace(self.record, resumes=(*self.record.resumes, entry)[-KEPT:]))
+
+    def keep_inspection(self, entry: InspectionEntry) -> None:
+        """Keep with the arm what an inspection has measured."""
+        self._keep(replace(self.record, inspections=(*self.record.inspections, entry)[-KEPT:]))
 
     def look(self, elsewhere: Sequence[int]) -> None:
         """Note which joints stand elsewhere than the picture shows; others may be driven then."""
