@@ -1,4 +1,4 @@
-"""How often the joint inspection is wrong, over many simulated arms: `python -m tests.inspected_arms`.
+"""How often the joint inspection is wrong, over many arms: ``python -m tests.inspected_arms``.
 
 Each arm is another: its friction, its noise, its load, its place, its warmth, how late its reports
 come. It is asked to swing as the program asks it, and judged by the program's own figures.
@@ -32,7 +32,7 @@ STEP_S = 0.005
 """Arms report 200 times a second."""
 PLACES = ((0, 70, -60, 0, 20, 0), (30, 90, -90, 20, -30, 40), (-60, 50, -40, -40, 40, -90))
 FRICTION_SPREAD = 0.2
-"""Joints of one kind differ by so much (1 σ), and so does a joint from one day to another by half."""
+"""Joints of one kind differ by so much (1 σ), and half as much from day to day."""
 CURRENT_NOISE_A = 0.08
 ANGLE_NOISE_DEG = 0.01
 AMBIENT_SPREAD_C = 3.0
@@ -88,7 +88,7 @@ def inspect(arm: Arm, day: int = 0, times: float | None = None) -> InspectionEnt
     limits = kind.model.limits
     speeds = [each.max_speed_deg_s for each in limits]
     at_s = np.arange(0.0, recording.duration_s, STEP_S)
-    target_deg = place
+    target_deg: tuple[float, ...] = place
     rows, due_s = [], 0.0
     for now_s in at_s:
         if now_s >= due_s:
@@ -157,8 +157,8 @@ def main() -> None:
                 for place in (0, 1)
             ]
             print(
-                f"a joint with {times:g} times its dry friction more: found in {shares[0]} of {few} "
-                f"at the first inspection, in {shares[1]} with two earlier ones"
+                f"a joint with {times:g} times its dry friction more: found in {shares[0]} of "
+                f"{few} at the first inspection, in {shares[1]} with two earlier ones"
             )
 
 

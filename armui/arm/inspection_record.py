@@ -99,8 +99,9 @@ def _head(entry: object, name: str) -> tuple[str, Sequence[object]]:
     if not isinstance(entry, Mapping):
         return "", ()
     at, values = entry.get("at"), entry.get(name)
-    good = isinstance(at, str) and len(at) <= _LONGEST_TEXT and isinstance(values, list | tuple)
-    return (at, values) if good else ("", ())
+    if not isinstance(at, str) or len(at) > _LONGEST_TEXT or not isinstance(values, list | tuple):
+        return "", ()
+    return at, values
 
 
 def _figure(value: object) -> float | None:
@@ -188,7 +189,10 @@ def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[
                 known = [each for each in others if each is not None]
                 times, more = bounds.get(sign, (1.0, float("inf")))
                 least = 1 if is_earlier else 2
-                if len(known) >= least and value > times * (usual := max(0.0, median(known))) + more:
+                if (
+                    len(known) >= least
+                    and value > times * (usual := max(0.0, median(known))) + more
+                ):
                     found.append(Finding(joint, sign, value, usual, is_earlier))
     return tuple(found)
 

@@ -9,10 +9,14 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    Array = NDArray[np.float64]
+
 _FASTEST_DEG_S: Final = 400.0
 """No joint turns faster, not even one that drops."""
 _LONGEST_S: Final = 0.06
 """What came in a longer silence may be a fall: it tells nothing of a jump."""
+_PERIOD_S: Final = 0.005
+"""Angles are reported 200 times a second."""
 _LEAST: Final = 3
 _WORTH_DEG: Final = 0.3
 """Lesser jumps are the noise of a fall that begins or ends; only the largest is told of them."""
@@ -38,14 +42,24 @@ def jump_deg(
     if gaps_s.max() > _LONGEST_S:
         return None
     steps_deg = np.diff(angles_deg.astype(float))
-    speeds = steps_deg / np.maximum(gaps_s, 1e-4)
-    before, behind = speeds[:-2], speeds[2:]
-    usual = np.stack((before, behind, (before + behind) / 2.0))
-    off = steps_deg[1:-1] - usual * gaps_s[1:-1]
-    least = off[np.abs(off).argmin(axis=0), np.arange(off.shape[1])]
-    fastest_deg = _FASTEST_DEG_S * gaps_s[1:-1]
-    too_far = steps_deg[1:-1] - np.clip(steps_deg[1:-1], -fastest_deg, fastest_deg)
+    # frames may come in bunches, their times then say little; or some are lost, and the steps do
+    by_time = _unusual(steps_deg / np.maximum(gaps_s, _PERIOD_S)) * gaps_s[1:-1]
+    least = _nearer_0(_unusual(steps_deg), by_time)
+    fastest_deg = _FASTEST_DEG_S * np.maximum(gaps_s, _PERIOD_S)
+    too_far = (steps_deg - np.clip(steps_deg, -fastest_deg, fastest_deg))[1:-1]
     jumps = np.where(np.abs(too_far) > np.abs(least), too_far, least)[after - 2 :]
     worth = jumps[np.abs(jumps) >= _WORTH_DEG]
     total = worth.sum() if len(worth) else jumps[np.abs(jumps).argmax()]
     return round(float(total), 2)
+
+
+def _unusual(steps: Array) -> Array:
+    """Return (n - 2,) by how much each step differs from what its neighbours make of it."""
+    here, before, behind = steps[1:-1], steps[:-2], steps[2:]
+    least = _nearer_0(here - before, here - behind)
+    return _nearer_0(least, here - (before + behind) / 2.0)
+
+
+def _nearer_0(one: Array, other: Array) -> Array:
+    nearer: Array = np.where(np.abs(one) <= np.abs(other), one, other)
+    return nearer

@@ -210,9 +210,7 @@ class Inspection(ControllerPart):
         consent=Consent.HELD,
         shown_first=True,
     )
-    def start(
-        self, started: Started, amplitude_deg: Annotated[float, AMPLITUDE]
-    ) -> Refusal | None:
+    def start(self, started: Started, amplitude_deg: Annotated[float, AMPLITUDE]) -> Refusal | None:
         """Have each joint swing in turn, as a replay: it goes through the gate, as all others do.
 
         The swings are those that were found beforehand, see :meth:`look`.

@@ -1,4 +1,4 @@
-"""Compares the feedback just before and just after each resume (0x150): what slipped shows there."""
+"""Compares the feedback just before and after each resume (0x150): what slipped shows there."""
 
 from __future__ import annotations
 
@@ -46,9 +46,10 @@ class ResumeListener(Listener):
         """Note the resumes of others; called by the bus thread."""
         for heard, at_s, _frame, _flags in batch:
             message = heard if isinstance(heard, Message) else heard.message
-            if message is not None and message.name == "MotionCommand":
-                if message.signals.get("EmergencyStop") == StopCommand.RESUME:
-                    self.times_s.append(at_s)
+            if message is None or message.name != "MotionCommand":
+                continue
+            if message.signals.get("EmergencyStop") == StopCommand.RESUME:
+                self.times_s.append(at_s)
 
     def on_sent(self, batch: Sequence[ReceivedFrame]) -> None:
         """Note those of this program; called by the bus thread."""

@@ -67,7 +67,12 @@ def swing_recording(
     samples: Array = np.full((len(times), COLUMN_COUNT), np.nan)
     samples[:, 0] = times * pace
     samples[:, 1:GRIPPER] = np.array(begin_deg) + offsets
-    return Recording(name, samples=samples), tuple(windows), SPEED_DEG_S * share / pace
+    return Recording(name, samples=samples), tuple(windows), speed_at(share)
+
+
+def speed_at(share: float) -> float:
+    """Return the speed of the swings at a share of the operator's speed, 0–1."""
+    return SPEED_DEG_S * min(1.0, share / LEAST_SHARE)
 
 
 def _turn(angle_deg: float) -> tuple[Array, Array]:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
@@ -38,7 +38,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import empty_grid, fill
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.reference import reference_text
+from armui.ui.words.reference import inspection_text, reference_text, resume_text
 from armui.ui.words.text import Texts
 
 _SIZE_PX: Final = (720, 720)
@@ -66,6 +66,8 @@ _LABELS: Final = Texts("AboutArm") | {
     "joint": "Joint {joint}",
     "end": "End",
     "reference": "Reference of the joints",
+    "resume": "Slip at a resume",
+    "inspection": "Joint inspection",
     "program": "Program",
 }
 _NO_BITRATE: Final = frozenset({"virtual", "udp_multicast"})
@@ -125,6 +127,8 @@ def about_rows(
         **{f"joint_{joint}": _limits(state, joint) for joint in JOINTS},
         "end": _end_limits(state),
         "reference": _unknown() if reference is None else reference_text(reference),
+        "resume": _unknown() if reference is None else resume_text(reference),
+        "inspection": _unknown() if reference is None else inspection_text(reference),
         "program": f"armui {__version__}, {system}",
     }
     return [AboutRow(key, _label(key), value) for key, value in values.items()]
@@ -298,9 +302,15 @@ class AboutArmDialog(ArmDialog):
         online: Gives the time for which it has been online.
         background: Reads the bit rate of CAN interfaces from the operating system.
         parent: The main window.
+
+    Signals:
+        inspection_wanted: The joint inspection shall be opened.
     """
 
+    inspection_wanted = Signal()
+
     copy_button = Act("Copy as text", named="about_arm_copy", key="about_arm.copy")
+    inspect_button = Act("Joint inspection…", named="about_arm_inspection")
 
     def __init__(
         self,
@@ -336,7 +346,8 @@ class AboutArmDialog(ArmDialog):
         self._grid_widget.setAutoFillBackground(False)
         self._said = text_label("about_arm_said", rank="muted")
         self.body.addWidget(area, 1)
-        fill(self.footer, self.copy_button, (self._said, 1), CloseButton(self, on_enter=True))
+        fill(self.footer, self.copy_button, self.inspect_button, (self._said, 1))
+        fill(self.footer, CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -361,6 +372,10 @@ class AboutArmDialog(ArmDialog):
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text())
         self._said.setText(self.tr("Copied: paste it into a mail."))
+
+    @inspect_button.pressed
+    def _on_inspect(self) -> None:
+        self.inspection_wanted.emit()
 
     def _on_state_changed(self) -> None:
         if self.isVisible():

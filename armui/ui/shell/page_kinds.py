@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.backup import BackupDialog
     from armui.ui.dialogs.connect import ConnectDialog
     from armui.ui.dialogs.doctor import DoctorDialog
+    from armui.ui.dialogs.inspection import InspectionDialog
     from armui.ui.dialogs.problem_report import ProblemReportDialog
     from armui.ui.dialogs.reference_check import ReferenceDialog
     from armui.ui.dialogs.settings import SettingsDialog
@@ -159,6 +160,13 @@ def reference_dialog() -> type[ReferenceDialog]:
     from armui.ui.dialogs.reference_check import ReferenceDialog  # noqa: PLC0415 - cantools
 
     return ReferenceDialog
+
+
+def inspection_dialog() -> type[InspectionDialog]:
+    """Return the class of the joint inspection."""
+    from armui.ui.dialogs.inspection import InspectionDialog  # noqa: PLC0415 - for its window
+
+    return InspectionDialog
 
 
 def report_dialog() -> type[ProblemReportDialog]:

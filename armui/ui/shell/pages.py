@@ -25,6 +25,7 @@ from armui.ui.shell.page_kinds import (
     faults_dialog,
     guide_page,
     help_page,
+    inspection_dialog,
     joint_status_page,
     library_page,
     plot_page,
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.about_arm import AboutArmDialog
     from armui.ui.dialogs.connect import ConnectDialog
     from armui.ui.dialogs.doctor import DoctorDialog
+    from armui.ui.dialogs.inspection import InspectionDialog
     from armui.ui.dialogs.problem_report import ProblemReportDialog
     from armui.ui.dialogs.reference_check import ReferenceDialog
     from armui.ui.dialogs.settings import SettingsDialog
@@ -116,11 +118,17 @@ def _new_doctor(pages: PageOpener) -> DoctorDialog:
 
 
 def _new_about_arm(pages: PageOpener) -> AboutArmDialog:
-    return about_arm_dialog()(pages.controller, pages.online, pages.waiting(), pages.window)
+    dialog = about_arm_dialog()(pages.controller, pages.online, pages.waiting(), pages.window)
+    dialog.inspection_wanted.connect(lambda: pages.show("inspection"))
+    return dialog
 
 
 def _new_reference(pages: PageOpener) -> ReferenceDialog:
     return reference_dialog()(pages.controller, pages.waiting(), pages.window)
+
+
+def _new_inspection(pages: PageOpener) -> InspectionDialog:
+    return inspection_dialog()(pages.controller, pages.waiting(), pages.window)
 
 
 def _new_report(pages: PageOpener) -> ProblemReportDialog:
@@ -228,6 +236,11 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("ReferenceDialog", "Reference check"), Home.WINDOW, reference_dialog, _new_reference,
         command=Command("window.reference_check", Text("ReferenceDialog", "Reference check"),
                         synonyms=also("encoder lost zero calibration mark 编码器 零位 校准 丢零"))),
+    "inspection": PageEntry(
+        Text("InspectionDialog", "Joint inspection"), Home.WINDOW, inspection_dialog,
+        _new_inspection,
+        command=Command("window.inspection", Text("InspectionDialog", "Joint inspection"),
+                        synonyms=also("friction stiff wear check 巡检 体检 摩擦 卡滞 磨损"))),
     "report": PageEntry(
         Text("ProblemReportDialog", "Report a problem"), Home.WINDOW, report_dialog, _new_report,
         command=Command("window.report", Text("ProblemReportDialog", "Report a problem"),

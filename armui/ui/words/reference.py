@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from datetime import datetime
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication
 
+from armui.arm.inspection_record import findings
 from armui.arm.reference_record import ReferenceRecord
 from armui.ui import format as fmt
+
+_LINES: Final = 3
+"""So many resumes at which something slipped are told, the newest first."""
 
 
 def reference_text(record: ReferenceRecord) -> str:
@@ -16,21 +21,50 @@ def reference_text(record: ReferenceRecord) -> str:
     if record.doubtful:
         joints = ", ".join(map(str, record.doubtful))
         text = QCoreApplication.translate("Reference", "joint {joints} in doubt since {time}")
-        parts.append(text.format(joints=joints, time=_time(record.doubted_at)))
+        parts.append(text.format(joints=joints, time=stamp_text(record.doubted_at)))
     if record.checked_at:
         off = ", ".join(f"J{j} {fmt.angle(deg)}" for j, deg in record.off_deg.items())
         if off:
             text = QCoreApplication.translate("Reference", "last checked {time}: {off} off")
         else:
             text = QCoreApplication.translate("Reference", "last checked {time}: all joints fit")
-        parts.append(text.format(time=_time(record.checked_at), off=off))
+        parts.append(text.format(time=stamp_text(record.checked_at), off=off))
     else:
         parts.append(QCoreApplication.translate("Reference", "never checked"))
     text = QCoreApplication.translate("Reference", "; ").join(parts)
     return text[:1].upper() + text[1:]
 
 
-def _time(stamp: str) -> str:
+def resume_text(record: ReferenceRecord) -> str:
+    """Return which joints slipped at the last resumes, or that none did, for a line of text."""
+    if not record.resumes:
+        return QCoreApplication.translate("Reference", "No resume (0x150) was seen")
+    lines = []
+    for entry in reversed(record.resumes):
+        slipped = ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in entry.slipped.items())
+        if slipped:
+            lines.append(f"{stamp_text(entry.at)}: {slipped}")
+    if not lines:
+        text = QCoreApplication.translate("Reference", "None; last resume {time}")
+        return text.format(time=stamp_text(record.resumes[-1].at))
+    return "\n".join(lines[:_LINES])
+
+
+def inspection_text(record: ReferenceRecord) -> str:
+    """Return when the joints were inspected last, and what stood out, for a line of text."""
+    if not record.inspections:
+        return QCoreApplication.translate("Reference", "Never inspected")
+    *earlier, last = record.inspections
+    joints = sorted({each.joint for each in findings(last, earlier)})
+    if joints:
+        text = QCoreApplication.translate("Reference", "{time}: joint {joints} stands out")
+    else:
+        text = QCoreApplication.translate("Reference", "{time}: nothing stands out")
+    return text.format(time=stamp_text(last.at), joints=", ".join(map(str, joints)))
+
+
+def stamp_text(stamp: str) -> str:
+    """Return a time that was kept as the operator reads it."""
     try:
         return f"{datetime.fromisoformat(stamp):%Y-%m-%d %H:%M}"
     except ValueError:
