@@ -60,6 +60,14 @@
         <translation>末端</translation>
     </message>
     <message>
+        <source>Slip at a resume</source>
+        <translation>解除急停时的滑移</translation>
+    </message>
+    <message>
+        <source>Joint inspection</source>
+        <translation>关节巡检</translation>
+    </message>
+    <message>
         <source>Program</source>
         <translation>程序</translation>
     </message>
@@ -181,6 +189,10 @@
     <message>
         <source>Copy as text</source>
         <translation>复制为文本</translation>
+    </message>
+    <message>
+        <source>Joint inspection…</source>
+        <translation>关节巡检…</translation>
     </message>
     <message>
         <source>Copied: paste it into a mail.</source>
@@ -2325,6 +2337,18 @@
     <message>
         <source>the supply is off; at the end the arm starts anew</source>
         <translation>供电断开；结束时机械臂重新启动</translation>
+    </message>
+    <message>
+        <source>a joint turns stiffly: it stays behind, and needs more current (VALUE: joint)</source>
+        <translation>关节卡滞：落后于设定值，所需电流增大（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a joint is 25 °C warmer than its work explains, which raises no alarm (VALUE: joint)</source>
+        <translation>关节温度比正常工作高 25 °C，不触发报警（VALUE：关节）</translation>
+    </message>
+    <message>
+        <source>a joint slips by 5°; its feedback shows it at the next 0x150 resume (VALUE: joint)</source>
+        <translation>关节滑移 5°；下一次解除急停（0x150）时反馈才显示（VALUE：关节）</translation>
     </message>
     <message>
         <source>the bus</source>
@@ -6513,6 +6537,159 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>InspectionDialog</name>
+    <message>
+        <source>There is no report yet.</source>
+        <translation>还没有报告。</translation>
+    </message>
+    <message>
+        <source>J{joint} swings. Keep clear of the arm.</source>
+        <translation>J{joint} 正在摆动，请勿靠近机械臂。</translation>
+    </message>
+    <message>
+        <source>slowly, at {speed}°/s: about {minutes} min in all</source>
+        <translation>低速 {speed}°/s，共约 {minutes} 分钟</translation>
+    </message>
+    <message>
+        <source>Joint inspection</source>
+        <translation>关节巡检</translation>
+    </message>
+    <message>
+        <source>Each joint in turn swings to either side and comes back, the others hold. How far it stays behind, the current it needs and its temperature are compared with the other joints and with earlier inspections of this arm. Choose a place with room around the arm, and the load it usually carries.</source>
+        <translation>各关节依次左右摆动再回到原处，其余关节保持不动。落后量、所需电流和温度与其他关节比较，并与本机械臂以前的巡检比较。请选择周围有空间的位置，带上平常的负载。</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>摆幅</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>摆动范围</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>开始巡检</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+</context>
+<context>
+    <name>InspectionFinding</name>
+    <message>
+        <source>{joint} stays {value} behind its setpoint, the other joints {usual}.</source>
+        <translation>{joint} 落后设定值 {value}，其他关节 {usual}。</translation>
+    </message>
+    <message>
+        <source>{joint} stays {value} behind its setpoint, earlier {usual}.</source>
+        <translation>{joint} 落后设定值 {value}，以前 {usual}。</translation>
+    </message>
+    <message>
+        <source>{joint} needs {value} to turn, the joints of its kind {usual}.</source>
+        <translation>{joint} 转动需要 {value}，同类关节 {usual}。</translation>
+    </message>
+    <message>
+        <source>{joint} needs {value} to turn, earlier {usual}.</source>
+        <translation>{joint} 转动需要 {value}，以前 {usual}。</translation>
+    </message>
+    <message>
+        <source>The motor of {joint} is at {value}, the others at {usual}.</source>
+        <translation>{joint} 的电机为 {value}，其他关节 {usual}。</translation>
+    </message>
+    <message>
+        <source>The driver of {joint} is at {value}, the others at {usual}.</source>
+        <translation>{joint} 的驱动器为 {value}，其他关节 {usual}。</translation>
+    </message>
+    <message>
+        <source>See whether something holds the joint: a cable, a cover, the load. Compare its speed and acceleration under Joint settings. If it needs more current as well, it is stiff.</source>
+        <translation>查看是否有东西牵住该关节：线缆、罩壳、负载。在“关节设置”中比较其速度和加速度。如果所需电流也增大，则为卡滞。</translation>
+    </message>
+    <message>
+        <source>Hold the arm, switch the motor of this joint off and turn it by hand: does it grind or catch? Free cables and hoses, clean it. If it stays so, or grows from one inspection to the next, have its gear looked at.</source>
+        <translation>扶住机械臂，关闭该关节电机，用手转动：是否有摩擦声或卡住？松开线缆和管路，清洁关节。如果仍然如此，或逐次巡检增大，请检修其减速器。</translation>
+    </message>
+    <message>
+        <source>Let the arm cool and inspect it again. See what the joint carries where it mostly works, and whether it presses against something; give it pauses.</source>
+        <translation>让机械臂冷却后再巡检一次。查看该关节在常用位置承受的负载，以及是否顶住了什么；适当停歇。</translation>
+    </message>
+</context>
+<context>
+    <name>InspectionReport</name>
+    <message>
+        <source>What stands out</source>
+        <translation>异常之处</translation>
+    </message>
+    <message>
+        <source>Nothing stands out.</source>
+        <translation>无异常。</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>Swung less far</source>
+        <translation>摆幅缩短</translation>
+    </message>
+    <message>
+        <source>Joint inspection</source>
+        <translation>关节巡检</translation>
+    </message>
+    <message>
+        <source>Swings of ±{amplitude} at {speed}; compared with {count} earlier inspections</source>
+        <translation>摆幅 ±{amplitude}，速度 {speed}；与以前 {count} 次巡检比较</translation>
+    </message>
+    <message>
+        <source>It ended early. {reason}</source>
+        <translation>提前结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Current to turn: arms of generation 1 tell no sign of their currents.</source>
+        <translation>转动所需电流：第一代协议的电流没有符号。</translation>
+    </message>
+    <message>
+        <source>Stays behind</source>
+        <translation>落后</translation>
+    </message>
+    <message>
+        <source>Current to turn it</source>
+        <translation>转动所需电流</translation>
+    </message>
+    <message>
+        <source>Current for what it bears</source>
+        <translation>承重电流</translation>
+    </message>
+    <message>
+        <source>Motor</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>Above: setpoint less angle, in degrees. Below: motor current, in A. Over time.</source>
+        <translation>上：设定值减角度（°）。下：电机电流（A）。横轴为时间。</translation>
+    </message>
+    <message>
+        <source>Each joint swings to and fro at the same angles. What turns round with it is friction and lag, and is compared; what stays is gravity, which each joint bears differently.</source>
+        <translation>各关节在相同角度往返摆动。随方向反转的是摩擦和落后，予以比较；不变的是重力，各关节承受不同。</translation>
+    </message>
+</context>
+<context>
     <name>InvalidFrame</name>
     <message>
         <source>{count} bytes instead of {wanted}</source>
@@ -8476,6 +8653,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已暂停：测得机械臂静止，保持位置。</translation>
     </message>
     <message>
+        <source>Joint inspection finished: nothing stands out.</source>
+        <translation>关节巡检完成：无异常。</translation>
+    </message>
+    <message>
+        <source>Joint inspection finished: joint {joints} stands out. The report says by what.</source>
+        <translation>关节巡检完成：关节 {joints} 异常，报告中有说明。</translation>
+    </message>
+    <message>
+        <source>Joint inspection over; joint {joints} was not measured. The report says why.</source>
+        <translation>关节巡检结束；关节 {joints} 未测量，报告中有原因。</translation>
+    </message>
+    <message>
         <source>The arm lies outside its limits: it is brought inside first, slowly.</source>
         <translation>机械臂位于限位之外：先缓慢回到限位内。</translation>
     </message>
@@ -8502,6 +8691,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Reference check left without a result: it counts as not done.</source>
         <translation>零位基准检查未完成便已退出，视为未检查。</translation>
+    </message>
+    <message>
+        <source>At the resume the feedback jumped: {joints}. By so much the joint stood elsewhere than it reported. What was set as zero, saved or taught before may be off by it: check the reference, and set zeros only now.</source>
+        <translation>解除急停时反馈突跳：{joints}。此前该关节的实际位置与上报相差这么多。之前设置的零点、保存或示教的点可能有同样偏差：请检查零位基准，零点只应在此之后设置。</translation>
     </message>
     <message>
         <source>The arm sinks, and no motor holds it. Hold it. Below it: {below}.</source>
@@ -9104,6 +9297,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Restore the factory limits of the joints</source>
         <translation>关节限制恢复出厂值</translation>
+    </message>
+    <message>
+        <source>Inspect the joints</source>
+        <translation>关节巡检</translation>
     </message>
     <message>
         <source>Run a trajectory</source>
@@ -11085,6 +11282,26 @@ The other program must have ended.</source>
         <translation>；</translation>
     </message>
     <message>
+        <source>No resume (0x150) was seen</source>
+        <translation>未见过解除急停（0x150）</translation>
+    </message>
+    <message>
+        <source>None; last resume {time}</source>
+        <translation>无；上次解除急停 {time}</translation>
+    </message>
+    <message>
+        <source>Never inspected</source>
+        <translation>从未巡检</translation>
+    </message>
+    <message>
+        <source>{time}: joint {joints} stands out</source>
+        <translation>{time}：关节 {joints} 异常</translation>
+    </message>
+    <message>
+        <source>{time}: nothing stands out</source>
+        <translation>{time}：无异常</translation>
+    </message>
+    <message>
         <source>last checked {time}: {off} off</source>
         <translation>上次检查 {time}：{off} 偏差</translation>
     </message>
@@ -11629,6 +11846,26 @@ The other program must have ended.</source>
     <message>
         <source>The CAN device took no frame within a second of the press. Check the CAN cable and the arm&apos;s power, then try again.</source>
         <translation>按下后 1 秒内 CAN 设备没有发出任何帧。请检查 CAN 线缆和机械臂电源，然后重试。</translation>
+    </message>
+    <message>
+        <source>How far each joint may swing is not worked out yet for where the arm stands. Wait a moment, with the arm at rest.</source>
+        <translation>当前位置各关节可摆动的范围还没有算出。请让机械臂静止，稍等片刻。</translation>
+    </message>
+    <message>
+        <source>No joint may swing over 10° here. Bring the arm to a place with room around it.</source>
+        <translation>这里没有关节能摆动 10°。请把机械臂移到周围有空间的位置。</translation>
+    </message>
+    <message>
+        <source>It may swing over less than 10° here.</source>
+        <translation>在这里可摆动不足 10°。</translation>
+    </message>
+    <message>
+        <source>Too little of its swing was heard, or the speed was changed meanwhile.</source>
+        <translation>其摆动的反馈太少，或途中速度被改变。</translation>
+    </message>
+    <message>
+        <source>The inspection ended before its turn was over.</source>
+        <translation>轮到它摆完之前巡检已结束。</translation>
     </message>
     <message>
         <source>The speed is 0 %: raise it at the top, then hold “Continue” for 1 s.</source>
@@ -13058,6 +13295,13 @@ The other program must have ended.</source>
     <message>
         <source>Results…</source>
         <translation>导入结果…</translation>
+    </message>
+</context>
+<context>
+    <name>ReportExport</name>
+    <message>
+        <source>Save the report</source>
+        <translation>保存报告</translation>
     </message>
 </context>
 <context>
@@ -14781,6 +15025,18 @@ The other program must have ended.</source>
     <message>
         <source>Collision (40 N·m)</source>
         <translation>碰撞（40 N·m）</translation>
+    </message>
+    <message>
+        <source>Joint turns stiffly</source>
+        <translation>关节卡滞</translation>
+    </message>
+    <message>
+        <source>Joint runs hot</source>
+        <translation>关节过热</translation>
+    </message>
+    <message>
+        <source>Slips by 5°, seen at resume</source>
+        <translation>滑移 5°，解除急停时显示</translation>
     </message>
     <message>
         <source>Reference lost, until resume</source>

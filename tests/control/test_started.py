@@ -90,6 +90,10 @@ BEFORE: dict[str, Any] = {
         rig.controller.replayer.start(Replay(wave())),
         rig.run_until(lambda: rig.controller.replayer.progress.done > 0.2),
     ),
+    "inspection.start": lambda rig: (
+        rig.controller.inspection.look(10.0),
+        rig.run_until(lambda: rig.controller.inspection.plan is not None),
+    ),
     "planned.command": motion_under_way,
     "reference.allow": in_doubt,
     "reference.drive": checking,
@@ -127,6 +131,7 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "run.start": (lambda _rig: (run_of(to(OUT), to(BACK)),), DONE),
     **dict.fromkeys(("run.pause", "run.go_on", "replay.pause", "replay.go_on"), (NONE, SENT)),
     "replay.start": (lambda _rig: (Replay(wave()),), DONE),
+    "inspection.start": ((10.0,), DONE),
     "recorder.start": (NONE, DONE),
     "teaching.command": ((TeachingState.START_RECORDING,), DONE),
     "mounting.tell": ((Mounting.LEVEL,), SENT),

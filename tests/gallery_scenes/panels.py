@@ -7,7 +7,9 @@ from PySide6.QtWidgets import QDialog, QWidget
 from armui.cell.cell import Cell
 from armui.cell.held_objects import HeldObject
 from armui.cell.work_area import Area, AreaBox, AreaPlane
+from armui.sim.faults.schedule import fault
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from armui.ui.dialogs.inspection import InspectionDialog
 from armui.ui.dialogs.reference_check import ReferenceDialog
 from armui.ui.panels.light_panel import ColorDialog
 from armui.ui.widgets.hold_button import HoldButton
@@ -256,4 +258,34 @@ def reference_mark(app_driver: AppDriver) -> QDialog:
     if dialog.begin_button.isVisible():
         app_driver.click(dialog.begin_button)
         app_driver.click(dialog.look_button)
+    return dialog
+
+
+def inspection_stiff(app_driver: AppDriver) -> None:
+    """An arm with a stiff joint and a hot one, where there is room to swing, but for a wall."""
+    app_driver.repeat_nothing()
+    app_driver.lie((0.0, 70.0, -60.0, 94.0, 20.0, 0.0))
+    app_driver.ready()
+    app_driver.run(1.0)
+    for name, joint in (("stiff-joint", 3), ("hot-joint", 5)):
+        app_driver.node.faults.start(fault(name, joint))
+
+
+def inspection_room(app_driver: AppDriver) -> InspectionDialog:
+    """The joint inspection, before it begins."""
+    app_driver.window.pages.show("inspection")
+    app_driver.run(0.5)
+    return app_driver.dialog(InspectionDialog)
+
+
+def inspection_report(app_driver: AppDriver) -> InspectionDialog:
+    """What it has found."""
+    dialog = inspection_room(app_driver)
+    inspection = app_driver.controller.inspection
+    if inspection.report is None:
+        dialog.amplitude.setValue(10)
+        app_driver.run(0.5)
+        accepted(inspection.start(10.0))
+        app_driver.run_until(lambda: inspection.report is not None, seconds=200.0)
+        app_driver.run(0.1)
     return dialog

@@ -36,7 +36,7 @@ def opened(driver):
     about.close()
     dialog = driver.dialog(InspectionDialog)
     dialog.amplitude.setValue(10)
-    driver.run_until(lambda: dialog.begin_button.isEnabled())
+    driver.run_until(dialog.begin_button.isEnabled)
     return dialog
 
 

@@ -130,6 +130,9 @@ SHOWN = {
     "cell.delete": Shown("cell", "cell_delete_button", "cell", "**Delete**", "**删除**"),
     "cell.rename": Shown("cell", "cell_rename_button", "cell", "**Rename**", "**改名**"),
     "cell.hold": Shown("cell_held", "cell_hold", "cell", "**It is held**", "**已夹住**"),
+    "inspection.start": Shown(
+        "inspection", "inspection_start", "inspection", "**Inspect**", "**开始巡检**"
+    ),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 
@@ -208,6 +211,7 @@ OPEN = {
     **{place: under_way(place) for place in BESIDES},
     "outside": outside_limits,
     "stopped": stopped,
+    "inspection": lambda driver: driver.program.window.pages.show("inspection"),
     **{stage: lambda driver, stage=stage: open_reference(driver, stage) for stage in DIALOG},
 }
 

@@ -153,6 +153,9 @@ class Driver(Protocol):
     def look_at_arm(self, answers: Mapping[int, float]) -> None:
         """Say in the reference check that the arm looks right, and how far these joints are off."""
 
+    def look_for_room(self, amplitude_deg: float) -> None:
+        """Find out how far each joint may swing, and wait until that is known."""
+
     def check_in_threads(self) -> None:
         """Have long ways checked in a thread, as in the program."""
 
@@ -346,6 +349,12 @@ class ControllerDriver(ArmRig):
         self.controller.reference.look(())
         for joint, off_deg in answers.items():
             self.controller.reference.answer(joint, off_deg)
+
+    def look_for_room(self, amplitude_deg: float) -> None:
+        """Wait until the inspection knows it."""
+        inspection = self.controller.inspection
+        inspection.look(amplitude_deg)
+        self.run_until(lambda: inspection.plan is not None)
 
     def check_in_threads(self) -> None:
         self.controller.gate._background = None

@@ -255,6 +255,11 @@ def checked(driver: Driver, _way: Way) -> Refusal | None:
     return answer if isinstance(answer, Refusal) else None
 
 
+def room_known(driver: Driver, _way: Way) -> Refusal | None:
+    driver.look_for_room(SWING_DEG)
+    return None
+
+
 def in_a_cell(driver: Driver, _way: Way) -> Refusal | None:
     answer = driver.begin("cell.take", Cell("bench", held_objects=(HeldObject("cube"),)))
     return answer if isinstance(answer, Refusal) else None
@@ -282,6 +287,8 @@ def _always(*arguments: Any) -> Callable[[Way], Sequence[Any]]:
     return lambda _way: arguments
 
 
+SWING_DEG: Final = 10.0
+"""How far each joint swings in the inspection."""
 DRIVEN: Final = 1
 """The joint that the reference check drives to its mark, at 0°."""
 
@@ -327,6 +334,8 @@ ENTRIES: Final[Mapping[str, Entry]] = {
         lambda way: (Replay(way.recording),), _JOINTS | _WORD, percent=100, tip_mm=_tip_at_end
     ),
     "replay.go_on": Entry(_always(), _JOINTS, replay_paused, percent=100, tip_mm=_tip_at_end),
+    # it goes nowhere: each joint comes back to where it was
+    "inspection.start": Entry(_always(SWING_DEG), _JOINTS | _WORD, room_known, percent=100),
     "planned.command": Entry(
         _always(TrajectoryCommand.CONTINUE), _GOES_ON, motion_paused, tip_mm=_tip_at_end
     ),

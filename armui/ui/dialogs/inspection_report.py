@@ -7,7 +7,7 @@ from html import escape
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QMarginsF, QPointF, QRectF, QUrl
+from PySide6.QtCore import QBuffer, QByteArray, QMarginsF, QPointF, QRectF, QUrl
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -25,6 +25,7 @@ from armui.arm.limits import JOINTS
 from armui.system.atomic import write_whole
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.dialogs.about_arm import translate
 from armui.ui.theme import LIGHT, Colors
 from armui.ui.words.reference import stamp_text
 from armui.ui.words.text import Texts
@@ -91,11 +92,14 @@ def report_html(report: InspectionReport, arm: Sequence[str], colors: Colors) ->
     """
     told = [*arm, stamp_text(report.entry.at), _swings(report)]
     parts = [
-        f'<h2 style="margin:0">{escape(_tr("Joint inspection"))}</h2>',
+        f'<h2 style="margin:0">{escape(translate("InspectionReport", "Joint inspection"))}</h2>',
         f'<p style="margin:2px 0; color:{colors.muted}">{"<br>".join(map(escape, told))}</p>',
-        _list(_tr("What stands out"), _found(report) or [_tr("Nothing stands out.")]),
-        _list(_tr("Not measured"), _unmeasured(report)),
-        _list(_tr("Swung less far"), _shortened(report)),
+        _list(
+            translate("InspectionReport", "What stands out"),
+            _found(report) or [translate("InspectionReport", "Nothing stands out.")],
+        ),
+        _list(translate("InspectionReport", "Not measured"), _unmeasured(report)),
+        _list(translate("InspectionReport", "Swung less far"), _shortened(report)),
         _figures(report, colors),
         f'<p style="margin:8px 0 2px 0">{escape(_curves_text())}</p>',
         f'<img src="{CURVES.toString()}" width="{_WIDE_PX}" height="{2 * _HIGH_PX + _HEAD_PX}">',
@@ -130,7 +134,7 @@ def write_pdf(report: InspectionReport, arm: Sequence[str], font: QFont, path: P
     writer = QPdfWriter(buffer)
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setPageMargins(QMarginsF(_PAGE_MM, _PAGE_MM, _PAGE_MM, _PAGE_MM))
-    writer.setTitle(_tr("Joint inspection"))
+    writer.setTitle(translate("InspectionReport", "Joint inspection"))
     page = document(report, arm, LIGHT, font)
     size, painter = page.size(), QPainter(writer)
     share = min(writer.width() / size.width(), writer.height() / size.height())
@@ -144,10 +148,6 @@ def write_pdf(report: InspectionReport, arm: Sequence[str], font: QFont, path: P
 # Its parts ----------------------------------------------------------------------------------------
 
 
-def _tr(text: str) -> str:
-    return QCoreApplication.translate("InspectionReport", text)
-
-
 def _list(title: str, lines: Sequence[str]) -> str:
     if not lines:
         return ""
@@ -159,7 +159,10 @@ def _list(title: str, lines: Sequence[str]) -> str:
 def _swings(report: InspectionReport) -> str:
     amplitude = fmt.with_unit(report.plan.amplitude_deg, "°", 0)
     speed = f"{report.entry.speed_deg_s:.1f}°/s"
-    text = _tr("Swings of ±{amplitude} at {speed}; compared with {count} earlier inspections")
+    text = translate(
+        "InspectionReport",
+        "Swings of ±{amplitude} at {speed}; compared with {count} earlier inspections",
+    )
     return text.format(amplitude=amplitude, speed=speed, count=len(report.earlier))
 
 
@@ -177,11 +180,16 @@ def _found(report: InspectionReport) -> list[str]:
 def _unmeasured(report: InspectionReport) -> list[str]:
     lines = [escape(f"J{joint}: {words.refusal(why)}") for joint, why in report.unmeasured.items()]
     if report.ended is not None:
-        text = _tr("It ended early. {reason}")
+        text = translate("InspectionReport", "It ended early. {reason}")
         lines.insert(0, escape(text.format(reason=words.refusal(report.ended))))
     if any(each is not None and each.current_a is None for each in report.entry.joints):
         lines.append(
-            escape(_tr("Current to turn: arms of generation 1 tell no sign of their currents."))
+            escape(
+                translate(
+                    "InspectionReport",
+                    "Current to turn: arms of generation 1 tell no sign of their currents.",
+                )
+            )
         )
     return lines
 
@@ -197,11 +205,11 @@ def _shortened(report: InspectionReport) -> list[str]:
 
 def _figures(report: InspectionReport, colors: Colors) -> str:
     rows = [
-        (_tr("Stays behind"), "behind_deg", "°", 2),
-        (_tr("Current to turn it"), "current_a", "A", 2),
-        (_tr("Current for what it bears"), "bears_a", "A", 2),
-        (_tr("Motor"), "motor_c", "°C", 0),
-        (_tr("Driver"), "driver_c", "°C", 0),
+        (translate("InspectionReport", "Stays behind"), "behind_deg", "°", 2),
+        (translate("InspectionReport", "Current to turn it"), "current_a", "A", 2),
+        (translate("InspectionReport", "Current for what it bears"), "bears_a", "A", 2),
+        (translate("InspectionReport", "Motor"), "motor_c", "°C", 0),
+        (translate("InspectionReport", "Driver"), "driver_c", "°C", 0),
     ]
     stands_out = {(each.joint, each.sign.value) for each in report.findings}
 
@@ -224,13 +232,17 @@ def _figures(report: InspectionReport, colors: Colors) -> str:
 
 
 def _curves_text() -> str:
-    return _tr("Above: setpoint less angle, in degrees. Below: motor current, in A. Over time.")
+    return translate(
+        "InspectionReport",
+        "Above: setpoint less angle, in degrees. Below: motor current, in A. Over time.",
+    )
 
 
 def _how() -> str:
-    return _tr(
+    return translate(
+        "InspectionReport",
         "Each joint swings to and fro at the same angles. What turns round with it is friction and "
-        "lag, and is compared; what stays is gravity, which each joint bears differently."
+        "lag, and is compared; what stays is gravity, which each joint bears differently.",
     )
 
 
