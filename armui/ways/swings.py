@@ -6,20 +6,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.limits import JOINTS
+from armui.arm.limits import JOINT_OUT_OF_LIMITS, JOINTS
+from armui.arm.refusal import Reason, Refusal
 from armui.ways.law import judge
 from armui.ways.way import straight_way
 
 if TYPE_CHECKING:
-    from armui.arm.refusal import Refusal
     from armui.ways.law import Marks
     from armui.ways.rules import Rules
 
-_SHARES: Final = (1.0, 0.75, 0.5, 0.25)
+_SHARES: Final = tuple(eighths / 8.0 for eighths in range(8, 0, -1))
 _BEYOND_DEG: Final = 0.5
 """Beyond each end so much must be free, too: a joint that is told to turn back does so late."""
 LEAST_DEG: Final = 10.0
 """A joint that may swing over less in all is not measured: it hardly comes up to its speed."""
+
+
+SWING_LIMITED = Reason("swing_limited", "Its limits are {minimum}° and {maximum}°.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +66,7 @@ def swings(
             refusal = judge(straight_way(begin_deg, there_deg), rules.every, marks).refusal
             if refusal is None:
                 return share * amplitude_deg, why
-            why = why or refusal
+            why = why or _in_its_words(joint, refusal)
         return 0.0, why
 
     found = []
@@ -71,3 +74,11 @@ def swings(
         (below, why_below), (above, why_above) = reach(joint, -1.0), reach(joint, 1.0)
         found.append(Swing(joint, below, above, why_below or why_above))
     return tuple(found)
+
+
+def _in_its_words(joint: int, refusal: Refusal) -> Refusal:
+    """Return a reason as one of a swing: nobody has typed an angle of its joint."""
+    own = refusal.reason == JOINT_OUT_OF_LIMITS and refusal.params.get("joint") == joint
+    if not own:
+        return refusal
+    return SWING_LIMITED(**{name: refusal.params[name] for name in ("minimum", "maximum")})

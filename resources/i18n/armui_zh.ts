@@ -11520,6 +11520,10 @@ The other program must have ended.</source>
         <translation>末端或工件将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请向上移动。</translation>
     </message>
     <message>
+        <source>Its limits are {minimum}° and {maximum}°.</source>
+        <translation>其限位为 {minimum}° 和 {maximum}°。</translation>
+    </message>
+    <message>
         <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
         <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
     </message>

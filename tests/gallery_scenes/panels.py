@@ -263,7 +263,6 @@ def reference_mark(app_driver: AppDriver) -> QDialog:
 
 def inspection_stiff(app_driver: AppDriver) -> None:
     """An arm with a stiff joint and a hot one, where there is room to swing, but for a wall."""
-    app_driver.repeat_nothing()
     app_driver.lie((0.0, 70.0, -60.0, 94.0, 20.0, 0.0))
     app_driver.ready()
     app_driver.run(1.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QSpinBox, QTextBrowser, QWidget
 
@@ -20,7 +21,7 @@ from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileExport
 from armui.ui.theme import colors_of
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
 
 _SIZE_PX: Final = (780, 720)
 _STEP_DEG: Final = 5
+_RAMPS_S: Final = 3.0
+"""What speeding up, braking and resting add to each joint's swing."""
 
 
 class ReportExport(FileExport):
@@ -91,6 +94,7 @@ class InspectionDialog(ArmDialog):
         self.amplitude = named("inspection_amplitude", QSpinBox())
         self.amplitude.setRange(int(AMPLITUDE.minimum), int(AMPLITUDE.maximum))
         self.amplitude.setSingleStep(_STEP_DEG)
+        self.amplitude.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.amplitude.setPrefix("±")
         self.amplitude.setSuffix("°")
         self.amplitude.setValue(int(USUAL_DEG))
@@ -109,11 +113,11 @@ class InspectionDialog(ArmDialog):
             for column, cell in enumerate(cells):
                 grid.addWidget(cell, joint, column)
         grid.setColumnStretch(2, 1)
+        grid.setRowStretch(len(JOINTS) + 1, 1)
         self.report_view = named("inspection_report", QTextBrowser())
         self._message = named("inspection_message", MessageLine(self))
         choice = in_row(self._amplitude_label, self.amplitude, self._speed, STRETCH, spacing=10)
-        fill(self.body, self._intro, choice, in_column(self._table, margins=0))
-        fill(self.body, (self.report_view, 1), STRETCH, self._message)
+        fill(self.body, self._intro, choice, (self._table, 1), (self.report_view, 1), self._message)
         fill(self.footer, self.begin_button, self.save_button, STRETCH, CloseButton(self))
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -193,7 +197,8 @@ class InspectionDialog(ArmDialog):
 
         speed = speed_at(percent / 100.0)
         text = self.tr("slowly, at {speed}°/s: about {minutes} min in all")
-        minutes = max(1, round(len(JOINTS) * (4.0 * self.amplitude.value() / (speed or 1.0)) / 60))
+        lasts_s = len(JOINTS) * (4.0 * self.amplitude.value() / max(speed, 1e-3) + _RAMPS_S)
+        minutes = max(1, round(lasts_s / 60.0))
         self._speed.setText(text.format(speed=f"{speed:.1f}", minutes=minutes))
 
     def _show_joints(self, inspection: Inspection) -> None:

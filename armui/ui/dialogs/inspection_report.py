@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from armui.telemetry.swing_figures import Curve
 
 CURVES: Final = QUrl("curves")
-_WIDE_PX, _HIGH_PX, _HEAD_PX, _EDGE_PX = 690, 112, 16, 6
+_WIDE_PX, _HIGH_PX, _HEAD_PX, _EDGE_PX = 520, 96, 16, 4
 _FINER: Final = 3
 """The curves are drawn so many times as fine as they are shown, for paper."""
 _POINTS: Final = 240
@@ -77,11 +77,6 @@ def finding_text(finding: Finding) -> str:
     )
 
 
-def help_text(sign: Sign) -> str:
-    """Return what helps where a figure stands out."""
-    return _HELPS.text(Sign.MOTOR if sign is Sign.DRIVER else sign)
-
-
 def report_html(report: InspectionReport, arm: Sequence[str], colors: Colors) -> str:
     """Return a report as rich text; its curves are the image :data:`CURVES`.
 
@@ -118,7 +113,7 @@ def document(
         QTextDocument.ResourceType.ImageResource.value, CURVES, curves_image(report, colors, font)
     )
     made.setHtml(report_html(report, arm, colors))
-    made.setTextWidth(_WIDE_PX + 2 * _EDGE_PX)
+    made.setTextWidth(_WIDE_PX + 4 * _EDGE_PX)
     return made
 
 
@@ -167,12 +162,12 @@ def _swings(report: InspectionReport) -> str:
 
 
 def _found(report: InspectionReport) -> list[str]:
-    """Return what stands out, and behind the last line of each figure what helps."""
+    """Return what stands out, and behind the last line of each kind what helps."""
     lines: list[str] = []
-    for sign in (Sign.BEHIND, Sign.CURRENT, Sign.MOTOR, Sign.DRIVER):
-        said = [escape(finding_text(each)) for each in report.findings if each.sign is sign]
+    for signs in ((Sign.BEHIND,), (Sign.CURRENT,), (Sign.MOTOR, Sign.DRIVER)):
+        said = [escape(finding_text(each)) for each in report.findings if each.sign in signs]
         if said:
-            helps = f"<i>{escape(help_text(sign))}</i>"
+            helps = f"<i>{escape(_HELPS.text(signs[0]))}</i>"
             lines += [*said[:-1], f"{said[-1]}<br>{helps}"]
     return lines
 
