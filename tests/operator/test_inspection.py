@@ -87,7 +87,7 @@ def test_of_a_healthy_arm_nothing_stands_out_and_that_is_kept(ready):
     assert ready.firmware.joints_deg == pytest.approx(PLACE, abs=0.2)
 
 
-def test_a_stiff_and_a_hot_joint_stand_out_with_what_helps(ready):
+def test_a_stiff_and_a_hot_joint_stand_out_with_what_helps(ready, tmp_path):
     ready.node.faults.start(fault("stiff-joint", 3))
     ready.node.faults.start(fault("hot-joint", 5))
     dialog, report = inspected(ready)
@@ -101,6 +101,10 @@ def test_a_stiff_and_a_hot_joint_stand_out_with_what_helps(ready):
     assert "The motor of J5 is at" in text
     assert "Let the arm cool" in text
     assert about(ready, "inspection").endswith(": joint 3, 5 stands out")
+    path = tmp_path / "report.pdf"
+    write_pdf(report, ["Model: PiPER"], QFont(), path)
+    assert path.read_bytes().startswith(b"%PDF")
+    assert path.read_bytes().count(b"/Type /Page\n") == 1
 
 
 def test_what_has_grown_since_earlier_stands_out(ready):
@@ -221,12 +225,3 @@ def test_a_speed_that_is_changed_meanwhile_is_no_measurement(ready):
     assert report.entry.joints[0] is not None
     assert str(report.unmeasured[2].reason) == "swing_not_heard"
     assert "the speed was changed meanwhile" in dialog.report_view.toPlainText()
-
-
-def test_the_report_is_one_page_to_print(ready, tmp_path):
-    _dialog, report = inspected(ready)
-    path = tmp_path / "report.pdf"
-    write_pdf(report, ["Model: PiPER"], QFont(), path)
-    data = path.read_bytes()
-    assert data.startswith(b"%PDF")
-    assert data.count(b"/Type /Page\n") == 1
