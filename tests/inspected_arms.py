@@ -15,7 +15,13 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from armui.arm.inspection_record import Finding, InspectionEntry, JointFigures, Sign, findings
+from armui.arm.inspection_record import (
+    InspectionEntry,
+    JointFigures,
+    JointFinding,
+    JointSign,
+    findings,
+)
 from armui.arm.limits import JOINTS
 from armui.control.run.replayer import PERIOD_MS
 from armui.protocol.firmware_version import RECOMMENDED
@@ -149,7 +155,7 @@ def _figures(
     return figures_of({"target": sent, **heard}, speed_deg_s, signed=True)
 
 
-def judged(arm: Arm) -> tuple[tuple[Finding, ...], tuple[Finding, ...]]:
+def judged(arm: Arm) -> tuple[tuple[JointFinding, ...], tuple[JointFinding, ...]]:
     """Return what stands out of an arm beside its joints alone, and beside two earlier days, too.
 
     The stiff joint was healthy on those days.
@@ -168,7 +174,7 @@ def main() -> None:
     for name, place in (("the first inspection", 0), ("with two earlier ones", 1)):
         wrong = sum(bool(each[place]) for each in healthy)
         print(f"healthy arms, {name}: {wrong} false alarms in {asked.arms}")
-        for sign in Sign:
+        for sign in JointSign:
             count = sum(any(f.sign is sign for f in each[place]) for each in healthy)
             print(f"    {sign.name.lower()}: {count}")
     for times in (0.5, 1.0, 2.0, 3.0, 5.0):

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.styled
 LANGUAGES = ("zh", "en")
 MANUAL = [f"M{number}" for number in range(1, 27)]
 PROTOCOL = [f"P{number}" for number in range(1, 10)]
-BEYOND = [f"B{number}" for number in (*range(1, 23), 28, 32, 33)]
+BEYOND = [f"B{number}" for number in (*range(1, 23), 28, 32, 33, 37, 38)]
 """What the program has of the functions that go beyond the manual and the protocol."""
 MOST_BYTES = 100_000
 ROOT = Path(__file__).resolve().parents[1]

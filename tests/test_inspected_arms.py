@@ -1,6 +1,6 @@
 """The joint inspection judges arms that are each another; `tests.inspected_arms` has more."""
 
-from armui.arm.inspection_record import Sign
+from armui.arm.inspection_record import JointSign
 from tests.inspected_arms import Arm, inspect, judged
 
 HEALTHY = range(30)
@@ -13,7 +13,9 @@ def test_no_healthy_arm_is_called_conspicuous(monkeypatch):
     stiff = [(1 + number % 6, judged(Arm(number, 1 + number % 6, 4.0))) for number in HEALTHY]
     for joint, (at_first, with_earlier) in stiff:
         assert {each.joint for each in at_first} == {joint}
-        assert {(joint, Sign.CURRENT, True)} <= {(f.joint, f.sign, f.earlier) for f in with_earlier}
+        assert {(joint, JointSign.CURRENT, True)} <= {
+            (f.joint, f.sign, f.earlier) for f in with_earlier
+        }
 
 
 def test_the_same_arm_on_another_day_is_nearly_the_same(monkeypatch):

@@ -122,7 +122,7 @@ def _read_figures(entry: object) -> JointFigures | None:
 # What stands out ----------------------------------------------------------------------------------
 
 
-class Sign(enum.StrEnum):
+class JointSign(enum.StrEnum):
     """What may stand out of a joint; each is a figure of `JointFigures`."""
 
     BEHIND = "behind_deg"
@@ -132,7 +132,7 @@ class Sign(enum.StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class JointFinding:
     """A figure of a joint that stands out.
 
     Attributes:
@@ -144,38 +144,38 @@ class Finding:
     """
 
     joint: int
-    sign: Sign
+    sign: JointSign
     value: float
     usual: float
     earlier: bool
 
 
 _PEERS: Final = {
-    Sign.BEHIND: (JOINTS,),
-    Sign.CURRENT: ((1, 2, 3), (4, 5, 6)),  # large and small motors
-    Sign.MOTOR: (JOINTS,),
-    Sign.DRIVER: (JOINTS,),
+    JointSign.BEHIND: (JOINTS,),
+    JointSign.CURRENT: ((1, 2, 3), (4, 5, 6)),  # large and small motors
+    JointSign.MOTOR: (JOINTS,),
+    JointSign.DRIVER: (JOINTS,),
 }
 """The joints that are compared with each other."""
 _AGAINST_PEERS: Final = {
-    Sign.BEHIND: (1.5, 0.15),
-    Sign.CURRENT: (2.0, 0.15),
-    Sign.MOTOR: (1.0, 15.0),
-    Sign.DRIVER: (1.0, 15.0),
+    JointSign.BEHIND: (1.5, 0.15),
+    JointSign.CURRENT: (2.0, 0.15),
+    JointSign.MOTOR: (1.0, 15.0),
+    JointSign.DRIVER: (1.0, 15.0),
 }
 """A figure stands out above so many times that of its peers, and this much more."""
-_AGAINST_EARLIER: Final = {Sign.BEHIND: (1.3, 0.1), Sign.CURRENT: (1.5, 0.1)}
+_AGAINST_EARLIER: Final = {JointSign.BEHIND: (1.3, 0.1), JointSign.CURRENT: (1.5, 0.1)}
 """The same against what the joint showed earlier; its warmth depends on the work before."""
 _SAME_SPEED: Final = 1.25
 """An inspection at a speed that differs by a greater factor is not compared."""
 
 
-def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[Finding, ...]:
+def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[JointFinding, ...]:
     """Return what stands out, joint by joint: beside the other joints, and beside earlier times."""
     before = [each for each in earlier if _alike(each.speed_deg_s, now.speed_deg_s)]
     found = []
     for joint in JOINTS:
-        for sign in Sign:
+        for sign in JointSign:
             value = _of(now, joint, sign)
             if value is None:
                 continue
@@ -193,7 +193,7 @@ def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[
                     len(known) >= least
                     and value > times * (usual := max(0.0, median(known))) + more
                 ):
-                    found.append(Finding(joint, sign, value, usual, is_earlier))
+                    found.append(JointFinding(joint, sign, value, usual, is_earlier))
     return tuple(found)
 
 
@@ -201,7 +201,7 @@ def _alike(one: float, other: float) -> bool:
     return max(one, other) <= _SAME_SPEED * min(one, other)
 
 
-def _of(entry: InspectionEntry, joint: int, sign: Sign) -> float | None:
+def _of(entry: InspectionEntry, joint: int, sign: JointSign) -> float | None:
     figures = entry.joints[joint - 1]
     if figures is None:
         return None

@@ -45,7 +45,6 @@ from armui.control.run.speed_override import SpeedOverride
 from armui.control.safety.gate import Gate
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
-from armui.control.safety.resume_slips import ResumeSlips
 from armui.control.safety.sinking_control import SinkingControl
 from armui.control.sessions.session_recorder import SessionRecorder
 
@@ -59,6 +58,7 @@ if TYPE_CHECKING:
     from armui.control.motion.motion_context import MotionContext
     from armui.control.safety.gate import Background
     from armui.control.safety.reference_control import ReferenceControl, ReferenceMemory
+    from armui.control.safety.resume_slips import ResumeSlips
     from armui.control.sessions.choices import SessionChoices
     from armui.telemetry.events import EventLog
     from armui.ways.rules import Rules
@@ -257,6 +257,8 @@ class ControllerParts(QObject):
 
     @cached_property
     def _resume_slips(self) -> ResumeSlips:
+        from armui.control.safety.resume_slips import ResumeSlips  # noqa: PLC0415 - cantools
+
         return ResumeSlips(self._context, self.reference, self._wall)
 
     @cached_property

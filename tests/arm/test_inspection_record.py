@@ -9,8 +9,8 @@ from armui.arm.inspection_record import (
     KEPT,
     InspectionEntry,
     JointFigures,
+    JointSign,
     ResumeEntry,
-    Sign,
     findings,
 )
 from armui.arm.reference_record import ReferenceRecord, merged_entry, read_record
@@ -48,16 +48,16 @@ def test_large_and_small_motors_are_no_peers():
     """A small one takes three times the current of a large one to turn: that is no finding."""
     large, small = (HEALTHY[place].current_a or 0.0 for place in (0, 3))
     assert small > 3 * large
-    assert said(entry(j2={"current_a": 0.45})) == [(2, Sign.CURRENT, False)]
+    assert said(entry(j2={"current_a": 0.45})) == [(2, JointSign.CURRENT, False)]
 
 
 @pytest.mark.parametrize(
     ("figures", "sign"),
     [
-        ({"behind_deg": 0.9}, Sign.BEHIND),
-        ({"current_a": 1.2}, Sign.CURRENT),
-        ({"motor_c": 58.0}, Sign.MOTOR),
-        ({"driver_c": 58.0}, Sign.DRIVER),
+        ({"behind_deg": 0.9}, JointSign.BEHIND),
+        ({"current_a": 1.2}, JointSign.CURRENT),
+        ({"motor_c": 58.0}, JointSign.MOTOR),
+        ({"driver_c": 58.0}, JointSign.DRIVER),
     ],
 )
 def test_what_is_unlike_its_peers_stands_out(figures, sign):
@@ -70,13 +70,13 @@ def test_what_is_unlike_its_peers_stands_out(figures, sign):
 def test_what_has_grown_stands_out_before_it_is_unlike_its_peers():
     worn = entry(j1={"current_a": 0.29})
     assert said(worn) == []
-    assert said(worn, entry(), entry()) == [(1, Sign.CURRENT, True)]
-    assert said(entry(j4={"behind_deg": 0.6}), entry()) == [(4, Sign.BEHIND, True)]
+    assert said(worn, entry(), entry()) == [(1, JointSign.CURRENT, True)]
+    assert said(entry(j4={"behind_deg": 0.6}), entry()) == [(4, JointSign.BEHIND, True)]
 
 
 def test_one_odd_earlier_time_is_outvoted():
     worn = entry(j1={"current_a": 0.29})
-    assert said(worn, worn, entry(), entry()) == [(1, Sign.CURRENT, True)]
+    assert said(worn, worn, entry(), entry()) == [(1, JointSign.CURRENT, True)]
 
 
 def test_another_speed_is_not_compared():
@@ -85,7 +85,7 @@ def test_another_speed_is_not_compared():
 
 def test_joints_that_were_not_measured_are_left_out():
     assert said(entry(j1=None, j2=None, j3={"current_a": 2.0})) == []  # no peers
-    assert said(entry(j6=None, j5={"behind_deg": 0.9})) == [(5, Sign.BEHIND, False)]
+    assert said(entry(j6=None, j5={"behind_deg": 0.9})) == [(5, JointSign.BEHIND, False)]
 
 
 def test_a_current_without_a_sign_is_not_judged():

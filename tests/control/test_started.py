@@ -209,7 +209,7 @@ def test_what_nothing_comes_between_ends_by_itself(rig, name):
     if name in GOES_ON:
         assert started.ending is None
         let_go(rig, name)
-    rig.run_until(lambda: started.ending is not None)
+    rig.run_until(lambda: started.ending is not None, seconds=60.0)
     assert started.ending is BEGIN[name][1]
 
 

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtGui import QFont
 
-from armui.arm.inspection_record import Sign
+from armui.arm.inspection_record import JointSign
 from armui.control.motion.abort import RUN_STOPPED
 from armui.control.run.inspection import INSPECTION_NOT_READY
 from armui.sim.faults.schedule import fault
@@ -92,8 +92,8 @@ def test_a_stiff_and_a_hot_joint_stand_out_with_what_helps(ready, tmp_path):
     ready.node.faults.start(fault("hot-joint", 5))
     dialog, report = inspected(ready)
     assert stands_out(report) == {
-        *((3, Sign.BEHIND), (3, Sign.CURRENT)),
-        *((5, Sign.MOTOR), (5, Sign.DRIVER)),
+        *((3, JointSign.BEHIND), (3, JointSign.CURRENT)),
+        *((5, JointSign.MOTOR), (5, JointSign.DRIVER)),
     }
     text = dialog.report_view.toPlainText()
     assert "J3 needs" in text
@@ -111,7 +111,7 @@ def test_what_has_grown_since_earlier_stands_out(ready):
     inspected(ready)
     ready.firmware.mechanics.drag_nm = (0.0, 0.0, 0.0, 0.0, 0.35, 0.0)
     dialog, report = inspected(ready)
-    assert stands_out(report) == {(5, Sign.CURRENT)}
+    assert stands_out(report) == {(5, JointSign.CURRENT)}
     assert report.findings[-1].earlier
     assert "earlier 0.0" in dialog.report_view.toPlainText()
     assert "compared with 1 earlier inspections" in dialog.report_view.toPlainText()

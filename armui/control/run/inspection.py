@@ -8,7 +8,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 from armui.arm.figures import Range
-from armui.arm.inspection_record import Finding, InspectionEntry, JointFigures, findings
+from armui.arm.inspection_record import InspectionEntry, JointFigures, JointFinding, findings
 from armui.arm.limits import JOINTS, JOINTS_OUTSIDE, outside_list
 from armui.arm.refusal import Reason, Refusal
 from armui.control.context import ControllerPart
@@ -109,7 +109,7 @@ class InspectionReport:
 
     entry: InspectionEntry
     plan: SwingPlan
-    findings: tuple[Finding, ...]
+    findings: tuple[JointFinding, ...]
     unmeasured: Mapping[int, Refusal]
     curves: Mapping[int, Mapping[str, Curve]]
     earlier: tuple[InspectionEntry, ...]

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
     QTextDocument,
 )
 
-from armui.arm.inspection_record import Finding, JointFigures, Sign
+from armui.arm.inspection_record import JointFigures, JointFinding, JointSign
 from armui.arm.limits import JOINTS
 from armui.system.atomic import write_whole
 from armui.ui import format as fmt
@@ -45,26 +45,30 @@ _PAGE_MM: Final = 15.0
 _TEXT_PX: Final = 12
 
 _SAID: Final = Texts("InspectionFinding") | {
-    (Sign.BEHIND, False): "{joint} stays {value} behind its setpoint, the other joints {usual}.",
-    (Sign.BEHIND, True): "{joint} stays {value} behind its setpoint, earlier {usual}.",
-    (Sign.CURRENT, False): "{joint} needs {value} to turn, the joints of its kind {usual}.",
-    (Sign.CURRENT, True): "{joint} needs {value} to turn, earlier {usual}.",
-    (Sign.MOTOR, False): "The motor of {joint} is at {value}, the others at {usual}.",
-    (Sign.DRIVER, False): "The driver of {joint} is at {value}, the others at {usual}.",
+    (
+        JointSign.BEHIND,
+        False,
+    ): "{joint} stays {value} behind its setpoint, the other joints {usual}.",
+    (JointSign.BEHIND, True): "{joint} stays {value} behind its setpoint, earlier {usual}.",
+    (JointSign.CURRENT, False): "{joint} needs {value} to turn, the joints of its kind {usual}.",
+    (JointSign.CURRENT, True): "{joint} needs {value} to turn, earlier {usual}.",
+    (JointSign.MOTOR, False): "The motor of {joint} is at {value}, the others at {usual}.",
+    (JointSign.DRIVER, False): "The driver of {joint} is at {value}, the others at {usual}.",
 }
 _HELPS: Final = Texts("InspectionFinding") | {
-    Sign.BEHIND: "See whether something holds the joint: a cable, a cover, the load. Compare its "
-    "speed and acceleration under Joint settings. If it needs more current as well, it is stiff.",
-    Sign.CURRENT: "Hold the arm, switch the motor of this joint off and turn it by hand: does it "
-    "grind or catch? Free cables and hoses, clean it. If it stays so, or grows from one inspection "
-    "to the next, have its gear looked at.",
-    Sign.MOTOR: "Let the arm cool and inspect it again. See what the joint carries where it mostly "
-    "works, and whether it presses against something; give it pauses.",
+    JointSign.BEHIND: "See whether something holds the joint: a cable, a cover, the load. Compare "
+    "its speed and acceleration under Joint settings. If it needs more current as well, it is "
+    "stiff.",
+    JointSign.CURRENT: "Hold the arm, switch the motor of this joint off and turn it by hand: does "
+    "it grind or catch? Free cables and hoses, clean it. If it stays so, or grows from one "
+    "inspection to the next, have its gear looked at.",
+    JointSign.MOTOR: "Let the arm cool and inspect it again. See what the joint carries where it "
+    "mostly works, and whether it presses against something; give it pauses.",
 }
-_UNITS: Final = {Sign.BEHIND: ("°", 2), Sign.CURRENT: ("A", 2)}
+_UNITS: Final = {JointSign.BEHIND: ("°", 2), JointSign.CURRENT: ("A", 2)}
 
 
-def finding_text(finding: Finding) -> str:
+def finding_text(finding: JointFinding) -> str:
     """Return what stands out of a joint, in a sentence."""
     unit, decimals = _UNITS.get(finding.sign, ("°C", 0))
     return _SAID.text(
@@ -164,7 +168,7 @@ def _swings(report: InspectionReport) -> str:
 def _found(report: InspectionReport) -> list[str]:
     """Return what stands out, and behind the last line of each kind what helps."""
     lines: list[str] = []
-    for signs in ((Sign.BEHIND,), (Sign.CURRENT,), (Sign.MOTOR, Sign.DRIVER)):
+    for signs in ((JointSign.BEHIND,), (JointSign.CURRENT,), (JointSign.MOTOR, JointSign.DRIVER)):
         said = [escape(finding_text(each)) for each in report.findings if each.sign in signs]
         if said:
             helps = f"<i>{escape(_HELPS.text(signs[0]))}</i>"

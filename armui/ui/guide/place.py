@@ -34,6 +34,7 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "PlotPage": "plots",
     "ProblemReportDialog": "report",
     "RecordingPage": "recording",
+    "InspectionDialog": "inspection",
     "ReferenceDialog": "reference",
     "ReplayWindow": "replay",
     "SessionsPage": "sessions",
