@@ -6547,8 +6547,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>J{joint} 正在摆动，请勿靠近机械臂。</translation>
     </message>
     <message>
-        <source>slowly, at {speed}°/s: about {minutes} min in all</source>
-        <translation>低速 {speed}°/s，共约 {minutes} 分钟</translation>
+        <source>slowly, at {speed}°/s</source>
+        <translation>低速 {speed}°/s</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>完成</translation>
     </message>
     <message>
         <source>Joint inspection</source>
@@ -6569,10 +6573,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Room</source>
         <translation>摆动范围</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
     </message>
     <message>
         <source>Report</source>
@@ -11290,6 +11290,10 @@ The other program must have ended.</source>
         <translation>无；上次解除急停 {time}</translation>
     </message>
     <message>
+        <source>Not heard enough at {time} to tell</source>
+        <translation>{time} 收到的反馈太少，无法判断</translation>
+    </message>
+    <message>
         <source>Never inspected</source>
         <translation>从未巡检</translation>
     </message>
@@ -11300,6 +11304,10 @@ The other program must have ended.</source>
     <message>
         <source>{time}: nothing stands out</source>
         <translation>{time}：无异常</translation>
+    </message>
+    <message>
+        <source>; joint {joints} was not measured</source>
+        <translation>；关节 {joints} 未测量</translation>
     </message>
     <message>
         <source>last checked {time}: {off} off</source>

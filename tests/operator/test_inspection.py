@@ -164,6 +164,9 @@ def cut_off(driver, dialog):
     assert "It ended early." in text
     assert "J3: The inspection ended before its turn was over." in text
     assert "inspection_incomplete" in driver.codes()
+    assert about(driver, "inspection").endswith(
+        ": nothing stands out; joint 3, 4, 5, 6 was not measured"
+    )
     return report
 
 

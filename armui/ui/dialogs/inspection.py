@@ -28,7 +28,6 @@ from armui.ui.widgets.text_label import text_label
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from armui.arm.inspection_record import JointFigures
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
     from armui.control.run.inspection import InspectionReport
@@ -36,8 +35,6 @@ if TYPE_CHECKING:
 
 _SIZE_PX: Final = (780, 720)
 _STEP_DEG: Final = 5
-_RAMPS_S: Final = 3.0
-"""What speeding up, braking and resting add to each joint's swing."""
 
 
 class ReportExport(FileExport):
@@ -196,10 +193,7 @@ class InspectionDialog(ArmDialog):
         from armui.trajectory.samples.swing_samples import speed_at  # noqa: PLC0415 - numpy
 
         speed = speed_at(percent / 100.0)
-        text = self.tr("slowly, at {speed}°/s: about {minutes} min in all")
-        lasts_s = len(JOINTS) * (4.0 * self.amplitude.value() / max(speed, 1e-3) + _RAMPS_S)
-        minutes = max(1, round(lasts_s / 60.0))
-        self._speed.setText(text.format(speed=f"{speed:.1f}", minutes=minutes))
+        self._speed.setText(self.tr("slowly, at {speed}°/s").format(speed=f"{speed:.1f}"))
 
     def _show_joints(self, inspection: Inspection) -> None:
         plan = inspection.plan
@@ -210,9 +204,8 @@ class InspectionDialog(ArmDialog):
             swing.setText(
                 fmt.NOTHING if there is None else f"−{there.below_deg:g}° +{there.above_deg:g}°"
             )
-            figures = inspection.measured.get(joint)
-            why = None if there is None else there.shortened
-            result.setText(_figures_text(figures) if figures else words.why_not(why))
+            why = words.why_not(None if there is None else there.shortened)
+            result.setText(self.tr("over") if joint in inspection.measured else why)
 
     def _show_report(self, report: InspectionReport) -> None:
         from armui.ui.dialogs.inspection_report import document  # noqa: PLC0415 - numpy
@@ -243,18 +236,9 @@ class InspectionDialog(ArmDialog):
             )
         )
         self._amplitude_label.setText(self.tr("Swing"))
-        heads = (self.tr("Joint"), self.tr("Room"), self.tr("Result"))
+        heads = (self.tr("Joint"), self.tr("Room"), "")
         for head, text in zip(self._heads, heads, strict=True):
             head.setText(text)
         self.report_view.setAccessibleName(self.tr("Report"))
         self._shown = ()
         self._show()
-
-
-def _figures_text(figures: JointFigures) -> str:
-    parts = [fmt.with_unit(figures.behind_deg, "°", 2)]
-    if figures.current_a is not None:
-        parts.append(fmt.with_unit(figures.current_a, "A", 2))
-    if figures.motor_c is not None:
-        parts.append(fmt.with_unit(figures.motor_c, "°C", 0))
-    return " · ".join(parts)

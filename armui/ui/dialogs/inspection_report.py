@@ -25,7 +25,6 @@ from armui.arm.limits import JOINTS
 from armui.system.atomic import write_whole
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.dialogs.about_arm import translate
 from armui.ui.theme import LIGHT, Colors
 from armui.ui.words.reference import stamp_text
 from armui.ui.words.text import Texts
@@ -65,6 +64,25 @@ _HELPS: Final = Texts("InspectionFinding") | {
     JointSign.MOTOR: "Let the arm cool and inspect it again. See what the joint carries where it "
     "mostly works, and whether it presses against something; give it pauses.",
 }
+_WORDS: Final = Texts("InspectionReport") | {
+    "how": "Each joint swings to and fro at the same angles. What turns round with it is "
+    "friction and lag, and is compared; what stays is gravity, which each joint bears "
+    "differently.",
+    "axes": "Above: setpoint less angle, in degrees. Below: motor current, in A. Over time.",
+    "title": "Joint inspection",
+    "found": "What stands out",
+    "nothing": "Nothing stands out.",
+    "unmeasured": "Not measured",
+    "shortened": "Swung less far",
+    "swings": "Swings of ±{amplitude} at {speed}; compared with {count} earlier inspections",
+    "ended": "It ended early. {reason}",
+    "unsigned": "Current to turn: arms of generation 1 tell no sign of their currents.",
+    "behind_deg": "Stays behind",
+    "current_a": "Current to turn it",
+    "bears_a": "Current for what it bears",
+    "motor_c": "Motor",
+    "driver_c": "Driver",
+}
 _UNITS: Final = {JointSign.BEHIND: ("°", 2), JointSign.CURRENT: ("A", 2)}
 
 
@@ -91,18 +109,18 @@ def report_html(report: InspectionReport, arm: Sequence[str], colors: Colors) ->
     """
     told = [*arm, stamp_text(report.entry.at), _swings(report)]
     parts = [
-        f'<h2 style="margin:0">{escape(translate("InspectionReport", "Joint inspection"))}</h2>',
+        f'<h2 style="margin:0">{escape(_WORDS.text("title"))}</h2>',
         f'<p style="margin:2px 0; color:{colors.muted}">{"<br>".join(map(escape, told))}</p>',
         _list(
-            translate("InspectionReport", "What stands out"),
-            _found(report) or [translate("InspectionReport", "Nothing stands out.")],
+            _WORDS.text("found"),
+            _found(report) or [_WORDS.text("nothing")],
         ),
-        _list(translate("InspectionReport", "Not measured"), _unmeasured(report)),
-        _list(translate("InspectionReport", "Swung less far"), _shortened(report)),
+        _list(_WORDS.text("unmeasured"), _unmeasured(report)),
+        _list(_WORDS.text("shortened"), _shortened(report)),
         _figures(report, colors),
-        f'<p style="margin:8px 0 2px 0">{escape(_curves_text())}</p>',
+        f'<p style="margin:8px 0 2px 0">{escape(_WORDS.text("axes"))}</p>',
         f'<img src="{CURVES.toString()}" width="{_WIDE_PX}" height="{2 * _HIGH_PX + _HEAD_PX}">',
-        f'<p style="margin:2px 0; color:{colors.muted}">{escape(_how())}</p>',
+        f'<p style="margin:2px 0; color:{colors.muted}">{escape(_WORDS.text("how"))}</p>',
     ]
     return f'<div style="font-size:{_TEXT_PX}px; color:{colors.text}">{"".join(parts)}</div>'
 
@@ -133,7 +151,7 @@ def write_pdf(report: InspectionReport, arm: Sequence[str], font: QFont, path: P
     writer = QPdfWriter(buffer)
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setPageMargins(QMarginsF(_PAGE_MM, _PAGE_MM, _PAGE_MM, _PAGE_MM))
-    writer.setTitle(translate("InspectionReport", "Joint inspection"))
+    writer.setTitle(_WORDS.text("title"))
     page = document(report, arm, LIGHT, font)
     size, painter = page.size(), QPainter(writer)
     share = min(writer.width() / size.width(), writer.height() / size.height())
@@ -156,13 +174,12 @@ def _list(title: str, lines: Sequence[str]) -> str:
 
 
 def _swings(report: InspectionReport) -> str:
-    amplitude = fmt.with_unit(report.plan.amplitude_deg, "°", 0)
-    speed = f"{report.entry.speed_deg_s:.1f}°/s"
-    text = translate(
-        "InspectionReport",
-        "Swings of ±{amplitude} at {speed}; compared with {count} earlier inspections",
-    )
-    return text.format(amplitude=amplitude, speed=speed, count=len(report.earlier))
+    figures = {
+        "amplitude": fmt.with_unit(report.plan.amplitude_deg, "°", 0),
+        "speed": f"{report.entry.speed_deg_s:.1f}°/s",
+        "count": len(report.earlier),
+    }
+    return _WORDS.text("swings", figures)
 
 
 def _found(report: InspectionReport) -> list[str]:
@@ -179,17 +196,9 @@ def _found(report: InspectionReport) -> list[str]:
 def _unmeasured(report: InspectionReport) -> list[str]:
     lines = [escape(f"J{joint}: {words.refusal(why)}") for joint, why in report.unmeasured.items()]
     if report.ended is not None:
-        text = translate("InspectionReport", "It ended early. {reason}")
-        lines.insert(0, escape(text.format(reason=words.refusal(report.ended))))
+        lines.insert(0, escape(_WORDS.text("ended", {"reason": report.ended})))
     if any(each is not None and each.current_a is None for each in report.entry.joints):
-        lines.append(
-            escape(
-                translate(
-                    "InspectionReport",
-                    "Current to turn: arms of generation 1 tell no sign of their currents.",
-                )
-            )
-        )
+        lines.append(escape(_WORDS.text("unsigned")))
     return lines
 
 
@@ -203,13 +212,10 @@ def _shortened(report: InspectionReport) -> list[str]:
 
 
 def _figures(report: InspectionReport, colors: Colors) -> str:
-    rows = [
-        (translate("InspectionReport", "Stays behind"), "behind_deg", "°", 2),
-        (translate("InspectionReport", "Current to turn it"), "current_a", "A", 2),
-        (translate("InspectionReport", "Current for what it bears"), "bears_a", "A", 2),
-        (translate("InspectionReport", "Motor"), "motor_c", "°C", 0),
-        (translate("InspectionReport", "Driver"), "driver_c", "°C", 0),
-    ]
+    rows = (
+        *(("behind_deg", "°", 2), ("current_a", "A", 2), ("bears_a", "A", 2)),
+        *(("motor_c", "°C", 0), ("driver_c", "°C", 0)),
+    )
     stands_out = {(each.joint, each.sign.value) for each in report.findings}
 
     def cell(joint: int, figures: JointFigures | None, name: str, unit: str, digits: int) -> str:
@@ -221,28 +227,13 @@ def _figures(report: InspectionReport, colors: Colors) -> str:
 
     head = "".join(f'<th align="right">J{joint}</th>' for joint in JOINTS)
     lines = [f"<tr><th></th>{head}</tr>"]
-    for title, name, unit, digits in rows:
+    for name, unit, digits in rows:
         cells = "".join(
             cell(joint, figures, name, unit, digits)
             for joint, figures in zip(JOINTS, report.entry.joints, strict=True)
         )
-        lines.append(f"<tr><td>{escape(title)}</td>{cells}</tr>")
+        lines.append(f"<tr><td>{escape(_WORDS.text(name))}</td>{cells}</tr>")
     return f'<table width="100%" cellpadding="2" style="margin-top:8px">{"".join(lines)}</table>'
-
-
-def _curves_text() -> str:
-    return translate(
-        "InspectionReport",
-        "Above: setpoint less angle, in degrees. Below: motor current, in A. Over time.",
-    )
-
-
-def _how() -> str:
-    return translate(
-        "InspectionReport",
-        "Each joint swings to and fro at the same angles. What turns round with it is friction and "
-        "lag, and is compared; what stays is gravity, which each joint bears differently.",
-    )
 
 
 def curves_image(report: InspectionReport, colors: Colors, font: QFont) -> QImage:

@@ -8,6 +8,7 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication
 
 from armui.arm.inspection_record import findings
+from armui.arm.limits import JOINTS
 from armui.arm.reference_record import ReferenceRecord
 from armui.ui import format as fmt
 
@@ -46,6 +47,8 @@ def resume_text(record: ReferenceRecord) -> str:
             lines.append(f"{stamp_text(entry.at)}: {slipped}")
     if not lines:
         text = QCoreApplication.translate("Reference", "None; last resume {time}")
+        if None in record.resumes[-1].slips_deg:
+            text = QCoreApplication.translate("Reference", "Not heard enough at {time} to tell")
         return text.format(time=stamp_text(record.resumes[-1].at))
     return "\n".join(lines[:_LINES])
 
@@ -60,7 +63,12 @@ def inspection_text(record: ReferenceRecord) -> str:
         text = QCoreApplication.translate("Reference", "{time}: joint {joints} stands out")
     else:
         text = QCoreApplication.translate("Reference", "{time}: nothing stands out")
-    return text.format(time=stamp_text(last.at), joints=", ".join(map(str, joints)))
+    text = text.format(time=stamp_text(last.at), joints=", ".join(map(str, joints)))
+    if None in last.joints:
+        left = [str(joint) for joint, each in zip(JOINTS, last.joints, strict=True) if each is None]
+        more = QCoreApplication.translate("Reference", "; joint {joints} was not measured")
+        text += more.format(joints=", ".join(left))
+    return text
 
 
 def stamp_text(stamp: str) -> str:
