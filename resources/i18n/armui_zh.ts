@@ -2131,6 +2131,10 @@
         <translation>无法打开数据库文件</translation>
     </message>
     <message>
+        <source>say what the local interface offers to programs</source>
+        <translation>说明本地接口为程序提供什么</translation>
+    </message>
+    <message>
         <source>usage: </source>
         <translation>用法：</translation>
     </message>
@@ -2197,6 +2201,10 @@
     <message>
         <source>the log: .blf, .asc, .log, .trc, .csv, ...</source>
         <translation>日志文件：.blf、.asc、.log、.trc、.csv 等</translation>
+    </message>
+    <message>
+        <source>print the methods with their arguments, units and ranges as an OpenRPC document</source>
+        <translation>以 OpenRPC 文档打印所有方法及其参数、单位和范围</translation>
     </message>
     <message>
         <source>Print a recorded CAN log, one line a frame, with signals and units.</source>
@@ -2359,6 +2367,10 @@
         <translation>机械臂</translation>
     </message>
     <message>
+        <source>the local interface, on a private bus</source>
+        <translation>本地接口，在私有总线上</translation>
+    </message>
+    <message>
         <source>what goes wrong</source>
         <translation>故障</translation>
     </message>
@@ -2393,6 +2405,18 @@
     <message>
         <source>keep its settings in this file; without it they end with the command</source>
         <translation>将其设置保存在此文件中；否则随命令结束而丢失</translation>
+    </message>
+    <message>
+        <source>serve the local interface, with the program&apos;s checks and no window: for the tests and scripts of clients</source>
+        <translation>提供本地接口，带程序的全部检查而无窗口：供客户端的测试和脚本使用</translation>
+    </message>
+    <message>
+        <source>grant the lease to whoever asks: nobody else is here</source>
+        <translation>向任何申请者授予租约：此处没有其他人</translation>
+    </message>
+    <message>
+        <source>where it is served (the user&apos;s own place)</source>
+        <translation>提供接口的位置（默认在用户自己的文件夹）</translation>
     </message>
     <message>
         <source>break something, in seconds from the start; may be given often</source>
