@@ -10,7 +10,13 @@ from armui.protocol.generation import PiperModel
 DEFAULT_BITRATE: Final = 1_000_000
 """The bit rate of the maker's present hardware; generation 1's text says 500 kbit/s."""
 
-_BITRATE_SET_BY_SYSTEM: Final = frozenset({"socketcan", "virtual", "udp_multicast"})
+_WITHOUT_WIRE: Final = frozenset({"virtual", "udp_multicast"})
+_BITRATE_SET_BY_SYSTEM: Final = _WITHOUT_WIRE | {"socketcan"}
+
+
+def has_wire(interface: str, channel: int | str) -> bool:
+    """Return whether an adapter and a cable are behind a device, by python-can's names for it."""
+    return interface not in _WITHOUT_WIRE and not str(channel).startswith("vcan")
 
 
 @dataclass(frozen=True, slots=True)

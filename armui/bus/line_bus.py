@@ -8,7 +8,7 @@ from collections import deque
 import can
 
 from armui.protocol.frame import Frame
-from armui.protocol.frame_records import pack, unpack
+from armui.protocol.frame_records import ERROR_MARK, pack, unpack
 from armui.system.record_socket import RecordSocket
 
 
@@ -54,9 +54,10 @@ class LineBus(can.BusABC):
         arbitration_id, data = self._arrived.popleft()
         message = can.Message(
             timestamp=time.time(),
-            arbitration_id=arbitration_id,
+            arbitration_id=arbitration_id & ~ERROR_MARK,
             data=data,
             is_extended_id=False,
+            is_error_frame=bool(arbitration_id & ERROR_MARK),
             check=False,
         )
         return message, False

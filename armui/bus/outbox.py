@@ -105,7 +105,7 @@ class Outbox:
         self._port: _Port | None = None
         self._batches: deque[_Batch] = deque()
         self._urgent: deque[Frame] = deque()
-        self._dropped = 0
+        self._dropped = self._frames_out = 0
         self._failing_since_s: float | None = None
         self._last_failure_s = 0.0
 
@@ -113,6 +113,11 @@ class Outbox:
     def dropped(self) -> int:
         """The number of ordinary frames dropped by a stop, by age, or for a newer command."""
         return self._dropped
+
+    @property
+    def frames_out(self) -> int:
+        """The number of frames that drivers have taken."""
+        return self._frames_out
 
     @property
     def empty(self) -> bool:
@@ -349,6 +354,7 @@ class Outbox:
         finally:
             port.in_driver_since_s = None
         self._sent.append((frame, began_s))
+        self._frames_out += 1
         self._is_out(port, frame, batch, began_s)
         return True
 

@@ -21,12 +21,13 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.bus.adapters import explain
 from armui.bus.frame_processor import FrameProcessor
-from armui.bus.link import BusHealth, BusReport, BusState
+from armui.bus.link import BUS_DEAF, BusHealth, BusReport, BusState
 from armui.bus.outbox import KEEP_S, Outbox, SendingThread
 from armui.bus.press import Press
 from armui.bus.receive_clock import STAMPED, ReceiveClock
 from armui.bus.receive_queue import ReceiveQueue
 from armui.protocol.codec import Codec
+from armui.protocol.commands import query_limits
 from armui.protocol.frame import Frame, FrameFlag
 from armui.system.clock import steady_s
 from armui.system.failures import is_our_own
@@ -236,11 +237,16 @@ class BusWorker(QThread):
             self._queue.detach()
 
     def _look_after_bus(self) -> None:
-        """Report when frames get out no more, and when they do again."""
-        problem = self._health.problem(self._clock(), blocked=self._outbox.blocked)
+        """Report when frames get out no more, or none come in, and when they do again."""
+        now_s, blocked = self._clock(), self._outbox.blocked
+        if self._health.follow_silence(now_s, self._outbox.frames_out) and not blocked:
+            self._outbox.put(query_limits(self._processor.codec, 1))
+        problem = self._health.problem(now_s, blocked=blocked)
         if problem != self._problem:
             self._problem = problem
-            state = BusState.OPEN if problem is None else BusState.BLOCKED
+            deaf = problem is not None and problem.reason == BUS_DEAF
+            state = BusState.DEAF if deaf else BusState.BLOCKED
+            state = BusState.OPEN if problem is None else state
             self.reported.emit(BusReport(state, self._device, problem, self._number))
 
     def _receive_burst(self, bus: can.BusABC) -> None:
@@ -271,7 +277,7 @@ class BusWorker(QThread):
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
-        else:
+        elif message.is_rx:  # what a neighbour on this computer sends shows no hearing
             self._health.on_frame(now_s)
         odd = message.is_error_frame or message.is_extended_id or message.is_remote_frame
         frame = Frame(message.arbitration_id, bytes(message.data))

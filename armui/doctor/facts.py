@@ -96,6 +96,7 @@ class LinkFacts:
         tx_errors, rx_errors: The controller's error counters, None if the driver reports none.
         bus_offs: The number of times it was in bus-off.
         dropped: The number of received frames that the kernel dropped.
+        sent, received: The number of frames since it was switched on.
         serial: The adapter's serial number, if it reports one.
     """
 
@@ -110,6 +111,8 @@ class LinkFacts:
     rx_errors: int | None = None
     bus_offs: int = 0
     dropped: int = 0
+    sent: int = 0
+    received: int = 0
     serial: str | None = None
 
 
@@ -165,6 +168,7 @@ class CanFacts:
         devices: The devices found by a search of all back-ends.
         error: The reason why no search was possible.
         kept: The names of settings that the adapter's helper applies at every start.
+        shared: Adapters that share a USB controller, for each such controller by its address.
         wsl: True if Linux runs as a guest of Windows, which controls the USB.
     """
 
@@ -174,6 +178,7 @@ class CanFacts:
     devices: tuple[DeviceFacts, ...] = ()
     error: str = ""
     kept: tuple[str, ...] = ()
+    shared: tuple[tuple[str, tuple[str, ...]], ...] = ()
     wsl: bool = False
 
 

@@ -151,6 +151,12 @@ LINK_LISTEN_ONLY = OfCan(
     "{channel} is in listen-only mode: no command and no emergency stop goes out.",
     DiagnosisLevel.WARNING,
 )
+LINK_DEAF = OfCan(
+    "link_deaf",
+    "{channel} is deaf: since it was switched on it has sent {sent} frames, received none, and "
+    "counts no error. Unplug the adapter and plug it in again. If that does not help, check CAN_H "
+    "and CAN_L, the bit rate ({bitrate}), the terminating resistors and the arm's power.",
+)
 NO_RESTART = OfCan(
     "no_restart",
     "{channel} does not come back by itself from bus-off (restart-ms is 0).",
@@ -166,6 +172,12 @@ SEVERAL = OfCan(
     "several",
     "Several adapters: {names}. Their names may swap at the next plugging in, and settings go to "
     "the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:",
+    DiagnosisLevel.NOTE,
+)
+SHARED = OfCan(
+    "shared",
+    "{names} share one USB controller ({controller}): if it fails, all of them go at once. Spread "
+    "them over ports of other controllers.",
     DiagnosisLevel.NOTE,
 )
 
@@ -212,6 +224,7 @@ _USBIPD: Final = (
 """Commands for a Windows terminal: they pass a USB device to WSL."""
 _PASSIVE_COUNT: Final = 128
 _WARNING_COUNT: Final = 96
+_SENT_UNHEARD: Final = 3
 """Error counters at which a controller warns and turns passive (ISO 11898-1)."""
 
 _APT: Final = {
@@ -273,6 +286,7 @@ def judge_can(facts: CanFacts) -> list[Diagnosis]:
     ]
     if len(hardware) > 1:
         findings.append(_several(hardware))
+    findings += [SHARED(controller=at, names=", ".join(names)) for at, names in facts.shared]
     findings += [_kept(each) for each in facts.kept]
     if not facts.links and not others and not facts.usb and not facts.ports:
         findings.append(NO_DEVICES())
@@ -323,6 +337,8 @@ def _state(link: LinkFacts, params: dict[str, str]) -> Diagnosis:
         return ERROR_PASSIVE(*_again(link), **params).mended_by(usual, off)
     if link.state == "ERROR-WARNING" or errors >= _WARNING_COUNT:
         return ERROR_WARNING(**params)
+    if link.sent >= _SENT_UNHEARD and not link.received and not errors and link.kind == "can":
+        return LINK_DEAF(**params, sent=str(link.sent)).mended_by(off)
     kept = (_remember(link),) if link.kind == "can" and link.serial else ()
     return LINK(**params).mended_by(*kept, off)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Final
 
+from armui.arm.device import has_wire
 from armui.doctor.facts import ArmFacts, Diagnosis, DiagnosisLevel, HeardFacts, LimitFacts, OfArm
 from armui.protocol.firmware_version import (
     RECOMMENDED,
@@ -45,6 +46,12 @@ NOTHING_HEARD = OfArm(
     "{device}: not one frame in {seconds} s. Is the arm switched on, the CAN cable plugged in, "
     "the bit rate 1000000? The arm may also be told to keep silent (0x422): a power cycle ends "
     "that.",
+)
+BUS_DEAF = OfArm(
+    "bus_deaf",
+    "{device} is deaf: it sends, hears not one frame, and reports no error. Unplug the adapter and "
+    "plug it in again. If that does not help, check CAN_H and CAN_L, the bit rate, the terminating "
+    "resistors (120 Ω), a receive filter of the adapter, and the arm's power.",
 )
 NO_ARM = OfArm(
     "no_arm", "{device}: {count} frames in {seconds} s, but no feedback of an arm. Heard: {ids}."
@@ -164,6 +171,7 @@ _PROBLEMS: Final = {
         BUS_DOWN,
         BUS_PERMISSION,
         BUS_BAD_ARGUMENT,
+        BUS_DEAF,
     )
 }
 """The kind of finding for each reason why a device was not opened; any other means that it failed.
@@ -257,7 +265,11 @@ def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
         if heard.interface == "socketcan"
         else ()
     )
-    return NOTHING_HEARD(*commands, **base)
+    if not has_wire(heard.interface, heard.channel):
+        return NOTHING_HEARD(*commands, **base)
+    if heard.asked and not heard.error_frames:
+        return BUS_DEAF(*commands, **base)
+    return NOTHING_HEARD(*commands, *(() if heard.asked else _ask(heard)), **base)
 
 
 def judge_arm(arm: ArmFacts, heard: HeardFacts) -> list[Diagnosis]:

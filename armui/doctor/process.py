@@ -9,7 +9,7 @@ from typing import Final
 
 from armui.doctor.adapter_change import helper_is_there
 from armui.doctor.facts import Diagnosis, DiagnosisLevel
-from armui.doctor.judge import NO_DEVICES, judge_can
+from armui.doctor.judge import NO_DEVICES, SHARED, judge_can
 from armui.doctor.probes.can_devices import look_at_adapters
 from armui.doctor.report import findings_of_json
 from armui.system.command_process import CommandProcess
@@ -63,13 +63,14 @@ def adapter_trouble() -> list[Diagnosis]:
     """Return faults of adapters: interfaces down or wrongly set, missing drivers, closed ports.
 
     No device is opened, and python-can is not used. It usually takes some milliseconds, and is
-    meant for a thread that may wait. Faults come first.
+    meant for a thread that may wait. Faults come first, adapters on one USB controller last.
     """
     helper_is_there()  # whoever shows the findings must not wait for the disk
     findings = judge_can(look_at_adapters())
-    return [
+    grave = [
         each
         for level in _GRAVE
         for each in findings
         if each.severity is level and each.kind != NO_DEVICES
     ]
+    return grave + [each for each in findings if each.kind == SHARED]

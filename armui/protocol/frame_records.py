@@ -12,6 +12,10 @@ _RECORD: Final = struct.Struct("<HB8s")
 """Identifier, length, payload padded with zeros."""
 
 RECORD_BYTES: Final = _RECORD.size
+ERROR_MARK: Final = 0x8000
+"""Stands in the identifier of an error frame, which a data frame's 11 bits leave free."""
+NOT_ACKNOWLEDGED: Final = Frame(ERROR_MARK | 0x020, bytes(8))
+"""The error frame of an adapter whose frame nobody acknowledged (linux/can/error.h)."""
 
 
 def pack(frames: Iterable[Frame]) -> bytes:

@@ -305,6 +305,11 @@ class Firmware:
         self.switch_off()
         self.switch_on()
 
+    @property
+    def is_on(self) -> bool:
+        """True if the arm has power."""
+        return not self._off
+
     def switch_off(self) -> None:
         """Switches the power off: the arm drops, and neither receives nor sends."""
         self._off = True

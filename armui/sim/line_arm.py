@@ -7,7 +7,7 @@ from typing import Final
 from armui.arm.models import model_data
 from armui.arm.rest_pose import rest_pose_deg
 from armui.protocol.frame import Frame
-from armui.protocol.frame_records import pack, unpack
+from armui.protocol.frame_records import NOT_ACKNOWLEDGED, pack, unpack
 from armui.sim.arm_choice import HAND, LETS_GO, ArmChoice
 from armui.sim.arm_loop import ArmLoop
 from armui.sim.faults.schedule import fault
@@ -42,10 +42,13 @@ class LineArm(ArmLoop):
     def _receive(self) -> list[Frame]:
         self._feel_hand()
         try:
-            return unpack(self._line.receive())
+            frames = unpack(self._line.receive())
+            if frames and (self.link.off or not self.firmware.is_on):
+                self._line.send(pack([NOT_ACKNOWLEDGED]))
         except OSError:  # the program has let go of it, or is gone
             self._ending.set()
             return []
+        return frames
 
     def _send(self, frames: list[Frame]) -> int:
         """Sends a burst as one message, whole or not at all."""

@@ -268,6 +268,32 @@ def test_silence_foreign_frames_and_error_frames():
     assert errors["error_frames"].severity is DiagnosisLevel.FAULT
 
 
+def test_an_adapter_that_sends_and_hears_nothing_is_deaf():
+    (silent,) = judge_heard(on_can0(None, frames=0))
+    assert silent.commands[-1] == "armui doctor --ask --interface socketcan --channel can0"
+    assert list(grave(judge_heard(on_can0(None, frames=0, asked=True)))) == ["bus_deaf"]
+    errors = grave(judge_heard(on_can0(None, frames=0, asked=True, error_frames=2)))
+    assert list(errors) == ["error_frames", "nothing_heard"]
+    nowhere = HeardFacts("udp_multicast", "239.74.163.2", 2.0, asked=True)
+    assert list(grave(judge_heard(nowhere))) == ["nothing_heard"]
+    told_by_window = HeardFacts("gs_usb", "0", problem="bus_deaf")
+    assert list(grave(judge_heard(told_by_window))) == ["bus_deaf"]
+
+
+def test_an_interface_that_has_sent_and_received_nothing_is_deaf():
+    deaf = replace(GOOD_LINK, sent=12)
+    (found,) = [each for each in judge_can(CanFacts(links=(deaf,))) if each.code == "link_deaf"]
+    assert found.params["sent"] == "12"
+    others = (
+        replace(deaf, received=1),
+        replace(deaf, sent=2),
+        replace(deaf, rx_errors=1),
+        replace(deaf, kind="vcan"),
+    )
+    for other in others:
+        assert "link_deaf" not in [each.code for each in judge_can(CanFacts(links=(other,)))]
+
+
 # Each failure of the field that can be seen from outside.
 
 

@@ -7,10 +7,13 @@ import sys
 
 import pytest
 
+from armui.doctor.facts import CanFacts, LinkFacts
+from armui.doctor.judge import judge_can
 from armui.doctor.probes import program
-from armui.doctor.probes.can_devices import links_of, usb_adapters
+from armui.doctor.probes.can_devices import links_of, shared_controllers, usb_adapters
 from armui.doctor.probes.program import look_at_program, satisfies
 from armui.doctor.probes.screen import look_at_screen, missing_libraries
+from armui.doctor.process import adapter_trouble
 
 # ip -details -statistics -json link show, iproute2 6.1, abridged
 IP = [
@@ -45,6 +48,7 @@ def test_interfaces_of_linux():
     assert (can0.name, can0.kind, can0.up, can0.state) == ("can0", "can", True, "ERROR-PASSIVE")
     assert (can0.bitrate, can0.listen_only, can0.restart_ms) == (500_000, True, 100)
     assert (can0.tx_errors, can0.rx_errors, can0.bus_offs, can0.dropped) == (128, 3, 2, 4)
+    assert (can0.sent, can0.received) == (0, 10)
     assert can0.serial == "0031002F"
     assert (can1.up, can1.bitrate, can1.tx_errors) == (False, None, None)
     assert (vcan0.kind, vcan0.up, vcan0.bitrate) == ("vcan", True, None)
@@ -70,6 +74,49 @@ def test_adapters_on_the_usb(tmp_path):
     first, second = usb_adapters(tmp_path)
     assert (first.name, first.serial, first.links) == ("canable2", "0031", ())
     assert (second.serial, second.links) == (None, ("can0",))
+
+
+def test_adapters_on_one_usb_controller(tmp_path):
+    """As sysfs has it: links into a tree of devices, a controller above its two root hubs."""
+    usb, tty = tmp_path / "bus/usb/devices", tmp_path / "class/tty"
+    usb.mkdir(parents=True)
+    tty.mkdir(parents=True)
+    first = tmp_path / "devices/pci0000:00/0000:00:14.0"
+    other = tmp_path / "devices/pci0000:00/0000:00:1d.0"
+
+    def adapter(place, link="", usb_id="1d50:606f"):
+        place.mkdir(parents=True)
+        for name, text in zip(("idVendor", "idProduct"), usb_id.split(":"), strict=True):
+            (place / name).write_text(text + "\n")
+        if link:
+            (place / f"{place.name}:1.0/net" / link).mkdir(parents=True)
+        (usb / place.name).symlink_to(place)
+
+    def port(place, name):
+        place.mkdir(parents=True)
+        (tty / name).mkdir()
+        (tty / name / "device").symlink_to(place)
+
+    adapter(first / "usb1/1-2", "can0")
+    adapter(other / "usb3/3-1", "can2")
+    adapter(first / "usb1/1-4", usb_id="046d:c52b")  # a mouse
+    port(tmp_path / "devices/platform/serial8250", "ttyS0")
+    assert shared_controllers(usb, tty) == ()
+    adapter(first / "usb2/2-1/2-1.3", "can1")  # behind a hub, on the controller's other bus
+    port(first / "usb1/1-3/1-3:1.0", "ttyACM0")
+    names = ("can0", "can1", "ttyACM0")
+    assert shared_controllers(usb, tty) == (("0000:00:14.0", names),)
+    facts = CanFacts(shared=shared_controllers(usb, tty))
+    (shared,) = [each for each in judge_can(facts) if each.code == "shared"]
+    assert shared.params == {"names": "can0, can1, ttyACM0", "controller": "0000:00:14.0"}
+    assert shared_controllers(tmp_path / "none", tmp_path / "none") == ()
+
+
+def test_the_connection_dialog_is_told_of_one_controller_after_what_is_graver(monkeypatch):
+    shared = (("0000:00:14.0", ("can0", "can1")),)
+    facts = CanFacts((LinkFacts("can0", "can", False),), shared=shared)
+    monkeypatch.setattr("armui.doctor.process.look_at_adapters", lambda: facts)
+    assert [each.code for each in adapter_trouble()] == ["link_down", "shared"]
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,12 @@ from armui.protocol.frame_records import RECORD_BYTES, unpack
 from armui.protocol.generation import Generation
 from armui.sim.arm_choice import HAND, ArmChoice
 from armui.sim.arm_process import LineHand
-from armui.sim.faults.schedule import FAULTS, Fault, FaultParameter
+from armui.sim.faults.schedule import FAULTS, Fault, FaultParameter, fault
 from armui.sim.line_arm import LineArm
 from armui.system.record_socket import RecordSocket
+from armui.ui import words
+from armui.ui.dialogs.connect import ConnectDialog
+from armui.ui.dialogs.doctor import judge_connected
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.dialogs.simulated_faults import _ONCE, AT_A_JOINT, OF_THE_ARM, FaultsDialog
 
@@ -74,6 +77,44 @@ def test_a_silent_arm_is_offline_until_it_speaks_again(ready, name):
     ready.click(button)
     ready.run_until(lambda: ready.controller.operating_state.cannot_move is None)
     assert "Online" in ready.find("communication_button").accessibleName()
+
+
+def test_a_deaf_adapter_is_told_from_a_silent_arm(ready):
+    dialog = opened(ready)
+    ready.click(dialog.switches["feedback-stopped"])  # an arm that still answers
+    ready.run(4.0)
+    assert "Nothing is heard from the arm" in ready.read("recovery_text")
+    ready.click(dialog.switches["feedback-stopped"])
+    ready.run(1.0)
+    ready.click(dialog.switches["deaf-adapter"])
+    ready.heard()
+    ready.run(4.0)
+    assert ready.heard() == []  # nothing was commanded: only asked
+    assert [each.arbitration_id for each in ready.node.heard][-3:] == [0x472] * 3
+    assert "bus_is_deaf" in [each.code for each in ready.events]
+    assert "may be moving" in ready.read("recovery_text")  # which is more important
+    ready.controller.emergency_stop()
+    ready.run(0.1)
+    assert 0x150 in {each.arbitration_id for each in ready.heard()}
+    ready.click(dialog.switches["deaf-adapter"])
+    ready.run(1.0)
+    assert "deaf" not in ready.read("recovery_text")
+    codes = [each.code for each in ready.events]
+    assert [codes.count(code) for code in ("bus_is_deaf", "bus_hears")] == [1, 1]
+
+
+def test_an_adapter_that_is_deaf_from_the_beginning(app_driver):
+    app_driver.node.faults.start(fault("deaf-adapter"))
+    app_driver.window.pages.show("connect")
+    app_driver.controller.connect_device(app_driver.device)
+    app_driver.run(4.0)
+    assert "hears nothing, not even errors" in app_driver.read("recovery_text")
+    reason = app_driver.controller.operating_state.link_problem
+    assert "is deaf: it has sent 3 frames, heard none" in words.refusal(reason)
+    dialog = app_driver.dialog(ConnectDialog)
+    assert words.refusal(reason) in dialog._message.text()
+    found = judge_connected(app_driver.controller, frames=0, seconds=2.0)
+    assert [each.code for each in found] == ["bus_deaf"]
 
 
 def test_switched_off_and_on_it_starts_anew(ready):

@@ -15,6 +15,8 @@ from armui.control.event_log.writer import EventWriter
 from armui.control.events import Event, Notice
 from armui.control.link.connection import (
     BUS_BLOCKED,
+    BUS_DEAF_NOTICE,
+    BUS_HEARS,
     BUS_UNBLOCKED,
     DISCONNECTED,
     LINK_LOST_NOTICE,
@@ -44,7 +46,8 @@ _LASTING: Final[Mapping[Notice, frozenset[Notice]]] = {
     OFFLINE_NOTICE: _GONE | {ONLINE},
     OFFLINE_BUSY: _GONE | {ONLINE},
     LINK_LOST_NOTICE: frozenset({RECONNECTED, DISCONNECTED}),
-    BUS_BLOCKED: _GONE | {BUS_UNBLOCKED},
+    BUS_BLOCKED: _GONE | {BUS_UNBLOCKED, BUS_DEAF_NOTICE},
+    BUS_DEAF_NOTICE: _GONE | {BUS_HEARS, BUS_BLOCKED},
     MODEL_OTHER_NOTICE: _GONE,
     MODEL_NONE: _GONE,
     OTHER_HOST_MOVES: _GONE | {OTHER_HOST_GONE},

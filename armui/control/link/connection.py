@@ -54,6 +54,8 @@ BUS_UNBLOCKED = Notice(
     Level.DONE,
     EventKind.LINK,
 )
+BUS_DEAF_NOTICE = Notice("bus_is_deaf", "{reason}", Level.FAULT, EventKind.LINK)
+BUS_HEARS = Notice("bus_hears", "{device} hears frames again", Level.DONE, EventKind.LINK)
 
 
 Worker: TypeAlias = "BusWorker | LogWorker"
@@ -65,10 +67,11 @@ LINK_BREAKS: Final = frozenset({LINK_LOST_NOTICE, RECONNECTED})
 """The notices that a device went and came back."""
 _CLOSE_MS: Final = 100
 """The window waits this long for a device to be closed; a busy driver ends later by itself."""
-_IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED})
+_IS_OPEN: Final = frozenset({BusState.OPEN, BusState.BLOCKED, BusState.DEAF})
 _OPEN_NOTICES: Final = {
     BusState.LOST: RECONNECTED,
     BusState.BLOCKED: BUS_UNBLOCKED,
+    BusState.DEAF: BUS_HEARS,
 }
 """The notice for an open bus, by its state before."""
 
@@ -419,9 +422,10 @@ class Connection(QObject):
         if report.state is BusState.OPEN:
             self.problem = None
             self.changed.emit(report, _OPEN_NOTICES.get(before, CONNECTED))
-        elif report.state is BusState.BLOCKED:
+        elif report.state in {BusState.BLOCKED, BusState.DEAF}:
             self.problem = report.problem
-            self.changed.emit(report, BUS_BLOCKED)
+            deaf = report.state is BusState.DEAF
+            self.changed.emit(report, BUS_DEAF_NOTICE if deaf else BUS_BLOCKED)
         elif report.state is BusState.LOST:
             self.problem = report.problem
             self._start_anew(self._worker, self._clock())

@@ -78,6 +78,13 @@ def link_is(link: LinkState) -> Applies:
     return when(lambda view: view.operating_state.link is link)
 
 
+def is_deaf(view: RecoveryView) -> bool:
+    """Return whether no arm is heard because the adapter of an open device hears nothing."""
+    now = view.operating_state
+    problem = now.link_problem if now.link is LinkState.OFFLINE else None
+    return problem is not None and problem.code == "bus_deaf"
+
+
 def has_code(code: ArmStatusCode) -> Applies:
     """Return a check that applies while the arm reports one status code (0x2A1 byte 1)."""
     return when(lambda view: view.code == code)

@@ -37,6 +37,7 @@ from armui.control.safety.recovery_conditions import (
     held_back,
     in_area,
     in_phase,
+    is_deaf,
     is_teaching_input,
     joints_flagged,
     link_is,
@@ -166,6 +167,7 @@ _RULES: Final = (
         None,
         when(lambda view: view.operating_state.stop is StopState.REQUESTED),
     ),
+    _Rule(StepKind.DEAF, Level.FAULT, Action.CONNECT, when(is_deaf)),
     _Rule(StepKind.OFFLINE, Level.WARNING, Action.CONNECT, link_is(LinkState.OFFLINE)),
     _Rule(
         StepKind.LISTEN_ONLY,

@@ -176,6 +176,10 @@ class StepKind(enum.Enum):
     OFFLINE = StepText(
         "offline", "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate."
     )
+    DEAF = StepText(
+        "deaf",
+        "The adapter sends, but hears nothing, not even errors. Unplug it and plug it in again.",
+    )
     LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
     WORKING = StepText("working", "Waiting for the arm: {what}.")
     STOPPED = StepText(

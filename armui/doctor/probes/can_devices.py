@@ -31,6 +31,8 @@ _NET: Final = Path("/sys/class/net")
 _USB: Final = Path("/sys/bus/usb/devices")
 _DEV: Final = Path("/dev")
 _ETC: Final = Path("/etc")
+_USB_PORTS: Final = ("ttyACM", "ttyUSB")
+_TTY: Final = Path("/sys/class/tty")
 _KERNEL: Final = Path("/proc/sys/kernel/osrelease")
 _KEPT: Final = (
     ("systemd/network", r"70-armui-([a-z][a-z0-9_]*)\.network"),
@@ -63,6 +65,7 @@ def look_at_can() -> CanFacts:
         devices=devices,
         error=error,
         kept=tuple(kept_names(_ETC)),
+        shared=shared_controllers(_USB, _TTY),
         wsl=is_wsl(_KERNEL),
     )
 
@@ -79,6 +82,7 @@ def look_at_adapters() -> CanFacts:
         links=look_at_links(),
         usb=tuple(usb_adapters(_USB)),
         ports=tuple(_serial_ports(_DEV)),
+        shared=shared_controllers(_USB, _TTY),
         wsl=is_wsl(_KERNEL),
     )
 
@@ -124,7 +128,8 @@ def _link(link: Mapping[str, Any], serials: Mapping[str, str]) -> LinkFacts:
     data = info.get("info_data", {})
     counters = data.get("berr_counter", {})
     name = str(link.get("ifname", ""))
-    received = link.get("stats64", link.get("stats", {})).get("rx", {})
+    frames = link.get("stats64", link.get("stats", {}))
+    received = frames.get("rx", {})
     return LinkFacts(
         name=name,
         kind=str(info.get("info_kind", "can")),
@@ -137,6 +142,8 @@ def _link(link: Mapping[str, Any], serials: Mapping[str, str]) -> LinkFacts:
         rx_errors=counters.get("rx"),
         bus_offs=int(info.get("info_xstats", {}).get("bus_off", 0)),
         dropped=int(received.get("dropped", 0)),
+        sent=int(frames.get("tx", {}).get("packets", 0)),
+        received=int(received.get("packets", 0)),
         serial=serials.get(name),
     )
 
@@ -177,11 +184,41 @@ def _usb_serial(device: Path) -> str | None:
     return None
 
 
+def shared_controllers(usb: Path, tty: Path) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return the CAN adapters and serial ports that share a USB controller, by its address.
+
+    Args:
+        usb: The folder of USB devices.
+        tty: The folder of serial ports; those of the USB may be slcan adapters.
+    """
+    found: dict[str, list[str]] = {}
+    for folder in _folders(usb):
+        if _usb_id(folder) in _ADAPTER_IDS:
+            links = sorted(each.name for each in folder.glob("*/net/*"))
+            found.setdefault(_controller(folder), []).append(" ".join(links) or folder.name)
+    for port in _folders(tty):
+        if port.name.startswith(_USB_PORTS):
+            found.setdefault(_controller(port / "device"), []).append(port.name)
+    return tuple((at, tuple(names)) for at, names in found.items() if at and len(names) > 1)
+
+
+def _controller(device: Path) -> str:
+    """Return the address of the controller above a USB device's root hub, or an empty text."""
+    for folder in device.resolve().parents:
+        if re.fullmatch(r"usb\d+", folder.name):
+            return folder.parent.name
+    return ""
+
+
+def _usb_id(folder: Path) -> str:
+    return f"{_text(folder / 'idVendor')}:{_text(folder / 'idProduct')}"
+
+
 def usb_adapters(usb: Path) -> list[UsbAdapterFacts]:
     """Return the CAN adapters with a driver in Linux, from the folder of USB devices."""
     found = []
     for folder in _folders(usb):
-        usb_id = f"{_text(folder / 'idVendor')}:{_text(folder / 'idProduct')}"
+        usb_id = _usb_id(folder)
         if usb_id in _ADAPTER_IDS:
             links = sorted(each.name for each in folder.glob("*/net/*"))
             name = _text(folder / "product") or _ADAPTER_IDS[usb_id]
@@ -191,7 +228,7 @@ def usb_adapters(usb: Path) -> list[UsbAdapterFacts]:
 
 
 def _serial_ports(dev: Path) -> list[SerialPortFacts]:
-    paths = sorted([*dev.glob("ttyACM*"), *dev.glob("ttyUSB*")])
+    paths = sorted(each for name in _USB_PORTS for each in dev.glob(f"{name}*"))
     return [SerialPortFacts(str(each), _may_open(each), _group(each)) for each in paths]
 
 

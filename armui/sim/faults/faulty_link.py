@@ -17,6 +17,7 @@ class FaultyLink:
 
     Attributes:
         off: The controller is bus-off: it neither receives nor sends.
+        deaf: The host's adapter hands over nothing of what the arm sends.
         loss: Share of the frames lost in each direction, 0–1.
         latency_s: The delay of frames in each direction.
         garbage_per_s: Frames a second that nobody sent, with random identifiers and content.
@@ -26,6 +27,7 @@ class FaultyLink:
 
     def __init__(self, seed: int = 0) -> None:
         self.off = False
+        self.deaf = False
         self.loss = 0.0
         self.latency_s = 0.0
         self.garbage_per_s = 0.0
@@ -62,7 +64,7 @@ class FaultyLink:
             now_s: The arm's time.
             dt_s: The time that has passed, for the garbage.
         """
-        if self.off:
+        if self.off or self.deaf:
             lost = len(frames) + len(self._going)
             self._going.clear()
             return [], lost

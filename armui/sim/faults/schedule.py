@@ -76,6 +76,10 @@ def _weaken_supply(on: Broken, _value: float, present: bool) -> None:
     on.arm.drivers.supply_v = _LOW_SUPPLY_V if present else SUPPLY_V
 
 
+def _deafen(on: Broken, _value: float, present: bool) -> None:
+    on.link.deaf = present
+
+
 def _switch_off(on: Broken, _value: float, present: bool) -> None:
     on.link.off = present
 
@@ -166,6 +170,12 @@ FAULTS: Final[dict[str, FaultKind]] = {
     ),
     "bus-off": FaultKind(
         "the controller neither hears nor says anything", FaultParameter.NONE, 0.0, _switch_off
+    ),
+    "deaf-adapter": FaultKind(
+        "the host's adapter sends, but hands over nothing that it hears",
+        FaultParameter.NONE,
+        0.0,
+        _deafen,
     ),
     "garbage": FaultKind(
         "frames of any identifier and content on the bus",

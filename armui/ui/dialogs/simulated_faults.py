@@ -42,6 +42,7 @@ OF_THE_ARM: Final = Texts("SimulatedFault") | {
     "undervoltage": "Undervoltage (18 V)",
     "feedback-stopped": "Feedback silent",
     "bus-off": "Bus off",
+    "deaf-adapter": "Adapter deaf",
     "lost-frames": "10 % of frames lost",
     "latency": "Frames 50 ms late",
     "garbage": "Foreign frames, 100/s",

@@ -213,7 +213,7 @@ def test_each_fault_is_marked_while_it_lasts(tmp_path, fault):
         # tells of a lost reference;
         # 18 V is what it is, from the beginning of the fault on or not at all
         assert all(each.at_s >= start_s + 1.0 for each in begun)
-    elif fault in {"bus-off", "feedback-stopped", "power-off"}:
+    elif fault in {"bus-off", "deaf-adapter", "feedback-stopped", "power-off"}:
         assert [each.entry["code"] for each in begun][:1] in ([], ["silent"])
     else:
         assert begun
