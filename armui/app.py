@@ -42,6 +42,7 @@ from armui.system import failures, paths
 from armui.system.exact_timers import keep_timers
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
+from armui.system.kept_folders import ClosedFolder, closed_folders
 from armui.system.log_file import log_to
 from armui.system.plain_words import language_of_system
 from armui.system.thread_priority import raise_in_background
@@ -74,6 +75,13 @@ FILES_HANG = Notice(
 SETTINGS_UNSAVED = Notice(
     "settings_unsaved",
     "The change is in effect, but not saved. {reason}",
+    Level.WARNING,
+    EventKind.PROGRAM,
+)
+FOLDERS_CLOSED = Notice(
+    "folders_closed",
+    "Nothing is kept in these folders: {folders}. Let this user write there; Diagnosis gives the "
+    "command.",
     Level.WARNING,
     EventKind.PROGRAM,
 )
@@ -165,6 +173,7 @@ class _FailureRelay(QObject):
 
     failed = Signal(object)
     unsaved = Signal(object)
+    closed = Signal(object)
 
 
 class Program:
@@ -283,6 +292,16 @@ class Program:
         )
         noted.add_done_callback(_log_unnoted)
 
+    def look_at_folders(self) -> None:
+        """Tell the operator once where nothing can be kept; the file thread looks."""
+
+        def tell(looked: Future[tuple[ClosedFolder, ...]]) -> None:
+            if not looked.cancelled() and looked.exception() is None and looked.result():
+                self._relay.closed.emit(looked.result())
+
+        self._relay.closed.connect(self._on_closed)
+        (self._files or self._workers).submit(closed_folders).add_done_callback(tell)
+
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
 
@@ -324,6 +343,9 @@ class Program:
 
     def _on_unsaved(self, reason: Refusal) -> None:
         self._tell(SETTINGS_UNSAVED, reason=reason)
+
+    def _on_closed(self, closed: tuple[ClosedFolder, ...]) -> None:
+        self._tell(FOLDERS_CLOSED, folders="; ".join(map(str, closed)))
 
     def _replace_hung(self, files: FileThread) -> None:
         if files.replace_hung():
@@ -411,6 +433,7 @@ def _run(options: StartOptions) -> int:
     )
     app.aboutToQuit.connect(program.shutdown)
     program.note_version(paths.trajectories())
+    program.look_at_folders()
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, options, device, system_end)
     if not program.ended:

@@ -5,9 +5,12 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from armui.system.sentence import Sentence
+
+if TYPE_CHECKING:
+    from armui.system.kept_folders import ClosedFolder
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +47,7 @@ class ProgramFacts:
         goes_first: True if its threads may have priority over other programs; None if not tried.
         priority_reason: The system's reason for refusing it.
         packaged: It brings Python and all packages itself; pip can add nothing.
+        closed: Folders of the user in which it can keep nothing.
     """
 
     armui: str
@@ -56,6 +60,7 @@ class ProgramFacts:
     goes_first: bool | None = None
     priority_reason: str = ""
     packaged: bool = False
+    closed: tuple[ClosedFolder, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -66,6 +66,12 @@ PACKAGE_OPTIONAL = OfProgram(
     DiagnosisLevel.NOTE,
 )
 
+FOLDERS_CLOSED = OfProgram(
+    "folders_closed",
+    "Nothing is kept in these folders, neither settings nor trajectories, recordings or events "
+    "that belong there: {folders}. Let this user write there.",
+)
+
 # The screen.
 
 QT = OfScreen("qt", "Qt {qt} draws through {platform}.", DiagnosisLevel.OK)
@@ -433,6 +439,11 @@ def judge_program(facts: ProgramFacts) -> list[Diagnosis]:
         findings.append(PACKAGES(count=str(len(needed))))
     if facts.goes_first is not None:
         findings.append(_priority(facts))
+    if facts.closed:
+        places = dict.fromkeys(each.place for each in facts.closed if each.denied)
+        owned = [f'sudo chown -R "$USER" "{each}"' for each in places]
+        commands = () if facts.system.startswith("Windows") else owned
+        findings.append(FOLDERS_CLOSED(*commands, folders="; ".join(map(str, facts.closed))))
     return findings
 
 

@@ -3263,6 +3263,10 @@
         <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
     </message>
     <message>
+        <source>Nothing is kept in these folders, neither settings nor trajectories, recordings or events that belong there: {folders}. Let this user write there.</source>
+        <translation>以下文件夹中什么都无法保存，无论是其中的设置、轨迹、录制还是事件：{folders}。请允许当前用户写入。</translation>
+    </message>
+    <message>
         <source>Qt {qt} draws through {platform}.</source>
         <translation>Qt {qt} 通过 {platform} 显示。</translation>
     </message>
@@ -8531,6 +8535,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Gripper: sent to {value} {unit}</source>
         <translation>夹爪：已发送 {value} {unit}</translation>
+    </message>
+    <message>
+        <source>Nothing is kept in these folders: {folders}. Let this user write there; Diagnosis gives the command.</source>
+        <translation>以下文件夹中什么都无法保存：{folders}。请允许当前用户写入；“诊断”给出命令。</translation>
     </message>
     <message>
         <source>The arm stands in the work area&apos;s “{name}” as it is now: {part}, {value} mm too near.</source>

@@ -91,7 +91,7 @@ def test_a_deaf_adapter_is_told_from_a_silent_arm(ready):
     ready.run(4.0)
     assert ready.heard() == []  # nothing was commanded: only asked
     assert [each.arbitration_id for each in ready.node.heard][-3:] == [0x472] * 3
-    assert "bus_is_deaf" in [each.code for each in ready.events]
+    assert "bus_deaf" in [each.code for each in ready.events]
     assert "may be moving" in ready.read("recovery_text")  # which is more important
     ready.controller.emergency_stop()
     ready.run(0.1)
@@ -100,7 +100,7 @@ def test_a_deaf_adapter_is_told_from_a_silent_arm(ready):
     ready.run(1.0)
     assert "deaf" not in ready.read("recovery_text")
     codes = [each.code for each in ready.events]
-    assert [codes.count(code) for code in ("bus_is_deaf", "bus_hears")] == [1, 1]
+    assert [codes.count(code) for code in ("bus_deaf", "bus_hears")] == [1, 1]
 
 
 def test_an_adapter_that_is_deaf_from_the_beginning(app_driver):

@@ -54,7 +54,7 @@ BUS_UNBLOCKED = Notice(
     Level.DONE,
     EventKind.LINK,
 )
-BUS_DEAF_NOTICE = Notice("bus_is_deaf", "Nothing is heard. {reason}", Level.FAULT, EventKind.LINK)
+BUS_DEAF_NOTICE = Notice("bus_deaf", "Nothing is heard. {reason}", Level.FAULT, EventKind.LINK)
 BUS_HEARS = Notice("bus_hears", "{device} hears frames again", Level.DONE, EventKind.LINK)
 
 

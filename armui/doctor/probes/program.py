@@ -8,13 +8,16 @@ import sys
 import threading
 from importlib import metadata
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from armui import __version__
 from armui.doctor.facts import PackageFacts, ProgramFacts
 from armui.system.command_process import is_packaged
 from armui.system.files import read_file
 from armui.system.thread_priority import RaisedBy, Rise, raise_threads
+
+if TYPE_CHECKING:
+    from armui.system.kept_folders import ClosedFolder
 
 _OLDEST_PYTHON: Final = (3, 11)
 _ADAPTERS: Final = "adapters"
@@ -41,7 +44,16 @@ def look_at_program() -> ProgramFacts:
         goes_first=rise.by is not RaisedBy.NOBODY,
         priority_reason=rise.reason,
         packaged=is_packaged(),
+        closed=_closed_folders(),
     )
+
+
+def _closed_folders() -> tuple[ClosedFolder, ...]:
+    try:
+        from armui.system.kept_folders import closed_folders  # noqa: PLC0415 - platformdirs missing
+    except ImportError:
+        return ()
+    return closed_folders()
 
 
 def try_priority() -> Rise:
