@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 import time
 from collections import deque
@@ -12,6 +13,7 @@ from can.interfaces.udp_multicast import UdpMulticastBus
 
 from armui.system.clock import steady_s
 
+_WITH_PORT: Final = re.compile(r"(\[(?P<six>[^]]+)\]|(?P<four>[^:]*)):(?P<port>\d{1,5})")
 _ECHO_S: Final = 2.0
 """A frame of ours comes back within this time, or it was lost."""
 
@@ -19,11 +21,17 @@ _ECHO_S: Final = 2.0
 class MulticastBus(UdpMulticastBus):
     """A bus on which each frame sent comes back, as on adapters that say whose it is.
 
+    Its channel is a group, with a port or without: ``239.1.2.3:45000``, ``[ff15::1]:45000``, or
+    ``:45000`` for python-can's own group. Two groups on one port hear each other on Linux.
+
     python-can hands it back as another host's, and every program of this computer sends from the
     same port: only the frame tells. Of two equal ones, the first is taken for ours.
     """
 
     def __init__(self, channel: str, **more: Any) -> None:
+        if named := _WITH_PORT.fullmatch(channel):
+            channel = named["six"] or named["four"] or UdpMulticastBus.DEFAULT_GROUP_IPv6
+            more["port"] = int(named["port"])
         super().__init__(channel, **more)
         self._sent: deque[tuple[float, int, bytes]] = deque()
         self._lock = threading.Lock()

@@ -61,8 +61,7 @@ PACKAGE_LOST = OfProgram(
 )
 PACKAGE_OPTIONAL = OfProgram(
     "package_optional",
-    "The package {package} is not installed; some adapters, or a simulated arm in another "
-    "process, need it.",
+    "The package {package} is not installed; some adapters need it.",
     DiagnosisLevel.NOTE,
 )
 

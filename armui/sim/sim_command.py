@@ -28,6 +28,7 @@ EXIT_CANNOT_BEGIN: Final = 2
 
 _ZEROS_DEG: Final = (0.0,) * 6
 _VERSION: Final = str(RECOMMENDED)
+_HIGHEST_PORT: Final = 65_535
 _OF_THE_VERSION: Final = "those of the version"
 
 _STATUS_PERIOD_S: Final = 1.0
@@ -45,6 +46,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--interface", default="udp_multicast", help="python-can's name of the bus (udp_multicast)"
     )
     bus.add_argument("--channel", default="", help="the bus's channel, e.g. vcan0")
+    bus.add_argument(
+        "--port",
+        type=_port,
+        help="of udp_multicast: another port than python-can's own, by which other programs find "
+        "the arm; two arms need two ports, for two groups on one port are one bus",
+    )
     bus.add_argument("--bitrate", type=_bitrate, help="bit/s, where the program sets it")
     bus.add_argument(
         "--offset",
@@ -127,6 +134,9 @@ def run(options: argparse.Namespace) -> int:
             "version\n"
         )
         return EXIT_CANNOT_BEGIN
+    if options.port is not None and options.interface != "udp_multicast":
+        sys.stderr.write("armui sim: --port belongs to --interface udp_multicast\n")
+        return EXIT_CANNOT_BEGIN
     version = options.firmware or _VERSION
     bugs = options.bugs
     if bugs == _OF_THE_VERSION:
@@ -154,6 +164,7 @@ def run(options: argparse.Namespace) -> int:
         options.interface,
         options.channel,
         options.bitrate,
+        port=options.port,
         faults=options.fault,
         seed=options.seed,
     )
@@ -165,6 +176,7 @@ def run_arm(
     channel: str,
     bitrate: int | None = None,
     *,
+    port: int | None = None,
     faults: Iterable[Fault] = (),
     seed: int = 0,
     ending: threading.Event | None = None,
@@ -176,6 +188,7 @@ def run_arm(
         interface: A python-can interface, as `virtual`, `udp_multicast`, `socketcan`.
         channel: Its channel, as `vcan0`; empty for the interface's own choice.
         bitrate: In bit/s; None if the system has set it.
+        port: Of udp_multicast; None for python-can's own.
         faults: The planned faults.
         seed: The seed of random faults.
         ending: Ends the command when it is set; without it only Ctrl-C does.
@@ -185,15 +198,21 @@ def run_arm(
     """
     ending = ending or threading.Event()
     try:
-        bus = can.Bus(**_bus_options(interface, channel, bitrate))
+        bus = can.Bus(**_bus_options(interface, channel, bitrate, port))
     except (can.CanError, OSError, ValueError, TypeError, ImportError) as error:
-        sys.stderr.write(
-            f"armui sim: cannot open {interface}:{channel or 'default channel'}: {error}. "
-            "Check that the interface exists, is up and not in use.\n"
+        # python-can says by this class, too, that a package is missing
+        missing = isinstance(error, ImportError | can.CanInterfaceNotImplementedError)
+        advice = (
+            "Install what it names with pip; python-can's name of the bus may be wrong, too."
+            if missing
+            else "Check that the interface exists, is up and not in use."
         )
+        place = channel or "default channel"
+        sys.stderr.write(f"armui sim: cannot open {interface}:{place}: {error}. {advice}\n")
         return EXIT_CANNOT_BEGIN
     known = bus.channel_info != "unknown"
     place = bus.channel_info if known else f"{interface} {channel}".rstrip()
+    place = place if port is None else f"{place}, port {port}"
     if firmware.flash.problem:
         sys.stderr.write(f"armui sim: {firmware.flash.problem}\n")
     try:
@@ -207,6 +226,12 @@ def run_arm(
     except KeyboardInterrupt:
         sys.stdout.write("\n")
     return EXIT_OK
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or not 0 < int(text) <= _HIGHEST_PORT:
+        raise argparse.ArgumentTypeError(f"{text!r} is no port; give 1 to {_HIGHEST_PORT}")
+    return int(text)
 
 
 def _bitrate(text: str) -> int:
@@ -264,12 +289,16 @@ def _offset(text: str) -> int:
         raise argparse.ArgumentTypeError(f"{text!r} is none of {', '.join(words)}") from None
 
 
-def _bus_options(interface: str, channel: str, bitrate: int | None) -> dict[str, Any]:
+def _bus_options(
+    interface: str, channel: str, bitrate: int | None, port: int | None
+) -> dict[str, Any]:
     options: dict[str, Any] = {"interface": interface}
     if channel:
         options["channel"] = channel
     if bitrate is not None:
         options["bitrate"] = bitrate
+    if port is not None:
+        options["port"] = port
     return options
 
 

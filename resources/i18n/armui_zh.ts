@@ -2383,6 +2383,10 @@
         <translation>总线的通道，如 vcan0</translation>
     </message>
     <message>
+        <source>of udp_multicast: another port than python-can&apos;s own, by which other programs find the arm; two arms need two ports, for two groups on one port are one bus</source>
+        <translation>udp_multicast 的端口：不同于 python-can 自身的端口（其他程序按它找到机械臂）；两台机械臂需要两个端口，因为同一端口上的两个组是同一条总线</translation>
+    </message>
+    <message>
         <source>bit/s, where the program sets it</source>
         <translation>比特率 bit/s，由程序设置时有效</translation>
     </message>
@@ -3259,10 +3263,6 @@
         <translation>软件包 {package} 的版本为 {installed}，需要 {wanted}。</translation>
     </message>
     <message>
-        <source>The package {package} is not installed; some adapters, or a simulated arm in another process, need it.</source>
-        <translation>未安装软件包 {package}；部分适配器或另一进程中的仿真机械臂需要它。</translation>
-    </message>
-    <message>
         <source>Nothing is kept in these folders, neither settings nor trajectories, recordings or events that belong there: {folders}. Let this user write there.</source>
         <translation>以下文件夹中什么都无法保存，无论是其中的设置、轨迹、录制还是事件：{folders}。请允许当前用户写入。</translation>
     </message>
@@ -3509,6 +3509,10 @@
     <message>
         <source>{name} has its name by its adapter&apos;s serial number, and is switched on at every start.</source>
         <translation>{name} 已按适配器序列号固定名称，每次启动时自动启用。</translation>
+    </message>
+    <message>
+        <source>The package {package} is not installed; some adapters need it.</source>
+        <translation>未安装软件包 {package}；部分适配器需要它。</translation>
     </message>
     <message>
         <source>A serial adapter ({name}) may be opened by whoever sits at this computer.</source>

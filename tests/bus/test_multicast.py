@@ -5,9 +5,11 @@ import time
 
 import can
 import pytest
+from can.interfaces.udp_multicast import UdpMulticastBus
 
 from armui.arm.device import Device
 from armui.bus.adapters import open_bus
+from armui.bus.multicast import MulticastBus
 from armui.bus.send_errors import obeys_its_timeout
 from armui.bus.worker import is_own_echo
 from armui.system.clock import steady_s
@@ -15,11 +17,16 @@ from armui.system.clock import steady_s
 GROUP = "239.74.163.7"
 
 
-@pytest.fixture
-def buses():
+def free_port() -> int:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("", 0))
-        port = free.getsockname()[1]
+        port: int = free.getsockname()[1]
+    return port
+
+
+@pytest.fixture
+def buses():
+    port = free_port()
     device = Device("udp_multicast", GROUP, None, options=(("port", port),))
     with open_bus(device) as ours, can.Bus(GROUP, "udp_multicast", port=port) as other:
         yield ours, other
@@ -83,3 +90,36 @@ def test_a_clock_that_is_set_makes_no_other_host_of_us(buses, monkeypatch, by_s)
 
 def test_its_send_returns_in_time(buses):
     assert obeys_its_timeout(buses[0])
+
+
+def test_the_port_stands_behind_the_group_and_keeps_arms_apart():
+    ports = free_port(), free_port()
+    first, second = (Device("udp_multicast", f"{GROUP}:{port}", None) for port in ports)
+    with (
+        open_bus(first) as ours,
+        open_bus(second) as elsewhere,
+        can.Bus(GROUP, "udp_multicast", port=ports[0]) as other,
+    ):
+        other.send(frame(1))
+        assert heard(ours) == (1, False)
+        assert elsewhere.recv(0.2) is None
+
+
+@pytest.mark.parametrize(
+    ("channel", "group", "port"),
+    [
+        (":45001", UdpMulticastBus.DEFAULT_GROUP_IPv6, 45001),
+        ("[ff15::7]:45002", "ff15::7", 45002),
+        ("239.1.2.3:45003", "239.1.2.3", 45003),
+        ("239.1.2.3", "239.1.2.3", None),
+        (UdpMulticastBus.DEFAULT_GROUP_IPv6, UdpMulticastBus.DEFAULT_GROUP_IPv6, None),
+        ("ff15::7", "ff15::7", None),
+    ],
+)
+def test_group_and_port(channel, group, port, monkeypatch):
+    told = []
+    take = lambda _self, *words, **more: told.append((*words, more))  # noqa: E731
+    monkeypatch.setattr(UdpMulticastBus, "__init__", take)
+    monkeypatch.setattr(MulticastBus, "__del__", lambda _self: None)
+    MulticastBus(channel)
+    assert told == [(group, {} if port is None else {"port": port})]

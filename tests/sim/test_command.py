@@ -76,6 +76,7 @@ def test_options_left_out() -> None:
         "interface": "udp_multicast",
         "channel": "",
         "bitrate": None,
+        "port": None,
         "generation": 2,
         "firmware": None,
         "flash": None,
@@ -102,6 +103,42 @@ def test_it_lies_at_zero_or_as_told(words, joints, monkeypatch) -> None:
     monkeypatch.setattr(sim_command, "run_arm", run_arm)
     assert sim_command.run(read(*words)) == 0
     assert made[0].joints_deg == joints
+
+
+def test_a_port_of_its_own(monkeypatch, capsys) -> None:
+    opened = []
+
+    def refuse(**options):
+        opened.append(options)
+        raise OSError("no such bus here")
+
+    monkeypatch.setattr(can, "Bus", refuse)
+    assert sim_command.run(read("--channel", "239.1.2.3", "--port", "45000")) == 2
+    assert opened == [{"interface": "udp_multicast", "channel": "239.1.2.3", "port": 45000}]
+    assert sim_command.run(read()) == 2
+    assert opened[1:] == [{"interface": "udp_multicast"}]  # others find it there
+    assert sim_command.run(read("--interface", "socketcan", "--port", "45000")) == 2
+    assert "--port belongs to --interface udp_multicast" in capsys.readouterr().err
+    for text in ("0", "65536", "-1", "x"):
+        with pytest.raises(SystemExit):
+            read("--port", text)
+
+
+@pytest.mark.parametrize(
+    ("error", "advice"),
+    [
+        (can.CanInterfaceNotImplementedError("msgpack not installed"), "Install what it names"),
+        (ImportError("No module named 'msgpack'"), "Install what it names"),
+        (OSError("No such device"), "Check that the interface exists"),
+    ],
+)
+def test_the_advice_fits_the_failure(error, advice, monkeypatch, capsys) -> None:
+    def refuse(**_options):
+        raise error
+
+    monkeypatch.setattr(can, "Bus", refuse)
+    assert sim_command.run(read()) == 2
+    assert advice in capsys.readouterr().err
 
 
 def test_bugs() -> None:
