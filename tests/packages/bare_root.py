@@ -58,7 +58,7 @@ class Root:
     def run(self, command: str, *, user: str = "root", codes: tuple[int, ...] = (0,)) -> str:
         """Run a command there; what it printed."""
         done = subprocess.run(
-            self._words(command, user), capture_output=True, text=True, check=False
+            self.words(command, user), capture_output=True, text=True, check=False
         )
         if done.returncode not in codes:
             raise SystemExit(f"«{command}» ended with {done.returncode}:\n{done.stderr[-2000:]}")
@@ -68,7 +68,7 @@ class Root:
     def running(self, command: str) -> Iterator[subprocess.Popen[bytes]]:
         """Have the operator's program run meanwhile."""
         process = subprocess.Popen(
-            self._words(f"exec {command}", USER), stdout=subprocess.DEVNULL, start_new_session=True
+            self.words(f"exec {command}", USER), stdout=subprocess.DEVNULL, start_new_session=True
         )
         try:
             yield process
@@ -77,7 +77,8 @@ class Root:
                 of_system("killpg")(process.pid, signal.SIGTERM)
             process.wait(30)
 
-    def _words(self, command: str, user: str) -> list[str]:
+    def words(self, command: str, user: str) -> list[str]:
+        """Return the words that run a command there."""
         as_user = [] if user == "root" else ["setpriv", f"--reuid={user}", f"--regid={user}"]
         groups = [] if user == "root" else ["--init-groups"]
         home = "/root" if user == "root" else f"/home/{user}"
