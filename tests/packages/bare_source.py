@@ -1,4 +1,4 @@
-"""Runs README's two commands, word for word, in a bare Debian; and what pip makes of wheel and sdist.
+"""Runs README's two commands, word for word, in a bare Debian; or wheel and source archive by pip.
 
     python -m tests.packages.bare_source bookworm            # or trixie; as root
     python -m tests.packages.bare_source bookworm --made dist

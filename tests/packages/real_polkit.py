@@ -73,7 +73,7 @@ def daemons(root: Root) -> Iterator[None]:
 
 def ended(root: Root, command: str, user: str = USER) -> int:
     """The exit code of a command that is told to go."""
-    words = root._words(f"echo go | {command}", user)
+    words = root.words(f"echo go | {command}", user)
     return subprocess.run(words, check=False, timeout=PATIENCE_S).returncode
 
 
@@ -83,7 +83,7 @@ def with_password(root: Root, password: str) -> tuple[int, str]:
     command = f"{asks}; echo go | {PKEXEC} {HELPER} forget arm_left; said=$?; kill $!; exit $said"
     pid, terminal = of_system("fork", pty)()
     if pid == 0:
-        words = root._words(command, USER)
+        words = root.words(command, USER)
         os.execvp(words[0], words)
     said, typed, until = "", False, time.monotonic() + PATIENCE_S
     while time.monotonic() < until:
