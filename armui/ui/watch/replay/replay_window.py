@@ -206,6 +206,7 @@ class ReplayWindow(ArmDialog):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.progress = named("replay_progress", QProgressBar())
         self.progress.setFixedWidth(480)
+        self.progress.setTextVisible(False)  # which its height would cut
         layout = in_column(on=part, spacing=14)
         layout.addStretch(2)
         layout.addWidget(self._hint)
