@@ -117,7 +117,8 @@ class BusHealth:
     def follow_silence(self, now_s: float, sent: int) -> bool:
         """Return whether a question is to be sent, for an adapter's deafness shows only by sending.
 
-        A silent arm answers it, without one that acknowledges it the adapter reports an error.
+        A silent arm answers it, without one that acknowledges it the adapter reports an error. An
+        arm that was heard is not asked: its answers would look as if its silence had ended.
 
         Args:
             now_s: Monotonic time.
@@ -132,7 +133,8 @@ class BusHealth:
         count = sent - self._sent_before
         if count >= _QUESTIONS and now_s - self._quiet_s >= _DEAF_S:
             self._deaf = BUS_DEAF(device=self._device.name, count=str(count))
-        if self._asked == _QUESTIONS or now_s - self._asked_s < _QUESTION_S:
+        heard = self._heard_s is not None
+        if heard or self._asked == _QUESTIONS or now_s - self._asked_s < _QUESTION_S:
             return False
         self._asked, self._asked_s = self._asked + 1, now_s
         return True

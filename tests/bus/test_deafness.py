@@ -47,7 +47,10 @@ def test_an_adapter_that_sends_and_hears_nothing_is_deaf():
     assert silence.asked == 3  # it is not asked for ever
     silence.health.on_frame(silence.now_s)
     assert silence.run(0.3) is None
-    assert silence.run(3.0).params["count"] == "3"  # of this silence
+    assert silence.run(5.0) is None
+    assert silence.asked == 3  # nor is an arm that was heard: its answers would end its silence
+    silence.sent += 9  # a stop
+    assert silence.run(0.1).params["count"] == "9"  # of this silence
 
 
 def test_who_reports_errors_is_not_deaf():

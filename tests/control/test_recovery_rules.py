@@ -12,7 +12,9 @@ import pytest
 
 from armui.arm.device import Device
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
+from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
+from armui.bus.link import BUS_DEAF
 from armui.control.assessment import assess
 from armui.control.authority import MET_MOVING, PART_FAILED, Authority
 from armui.control.cell.cell_reasons import (
@@ -158,6 +160,9 @@ def step_of(state: ArmState, **changes) -> Step:
 
 def without_link() -> Iterator[tuple[ArmState, OperatingState]]:
     led = ArmState()._replace(foreign_targets_s=NOW_S)
+    deaf = Refusal(BUS_DEAF, {"device": "can0", "count": "3"})
+    now = operating_state(ArmState(), link=LinkState.OFFLINE)
+    yield ArmState(), replace(now, link_problem=deaf)
     # a picture from before, as old as it may be
     states = (ArmState(), led, arm(status()), arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)))
     for link, state, unconfirmed in itertools.product(LinkState, states, (False, True)):

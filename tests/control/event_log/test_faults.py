@@ -58,6 +58,7 @@ SEEN = {
     "feedback-stopped": both(("offline", {})),
     "bus-off": both(("offline", {})),
     "power-off": both(("offline", {})),
+    "deaf-adapter": both(("offline", {})),
     "garbage": both(("invalid_frames", {"kind": "UNKNOWN_ID"})),
     "lost-frames": both(("fewer_frames", {})),
 }
