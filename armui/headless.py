@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from armui.arm.device import Device
 
 SOCKET_NAME: Final = "api.sock"
-_OF_A_BUS: Final = ("channel", "bitrate", "offset", "fault", "bugs", "flash")
+_OF_A_BUS: Final = ("channel", "port", "bitrate", "offset", "fault", "bugs", "flash")
 """Options of `armui sim` that belong to an arm on a bus of others."""
 
 

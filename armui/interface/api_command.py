@@ -20,7 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
     from armui.control.arm_controller import ArmController  # noqa: PLC0415 - Qt, for this only
-    from armui.interface.interface import openrpc  # noqa: PLC0415 - Qt
+    from armui.interface.openrpc import openrpc  # noqa: PLC0415 - as above
 
     if options.schema:
         operations = ArmController(lambda _device: iter(())).operations  # type: ignore[arg-type,return-value]

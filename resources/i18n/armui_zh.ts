@@ -2359,6 +2359,10 @@
         <translation>关节滑移 5°；下一次解除急停（0x150）时反馈才显示（VALUE：关节）</translation>
     </message>
     <message>
+        <source>the host&apos;s adapter sends, but hands over nothing that it hears</source>
+        <translation>主机的适配器能发送，却不交出任何收到的帧</translation>
+    </message>
+    <message>
         <source>the bus</source>
         <translation>总线</translation>
     </message>
@@ -3351,6 +3355,10 @@
         <translation>{channel} 处于只听模式：任何指令和急停都发不出去。</translation>
     </message>
     <message>
+        <source>{channel} is deaf: since it was switched on it has sent {sent} frames, received none, and counts no error. Unplug the adapter and plug it in again. If that does not help, check CAN_H and CAN_L, the bit rate ({bitrate}), the terminating resistors and the arm&apos;s power.</source>
+        <translation>{channel} 收不到任何帧：接通以来已发送 {sent} 帧，一帧也没收到，也没有错误计数。请拔下适配器再插上；若仍不行，请检查 CAN_H 和 CAN_L、波特率（{bitrate}）、终端电阻和机械臂的电源。</translation>
+    </message>
+    <message>
         <source>{channel} does not come back by itself from bus-off (restart-ms is 0).</source>
         <translation>{channel} 发生 bus-off 后不会自动恢复（restart-ms 为 0）。</translation>
     </message>
@@ -3361,6 +3369,10 @@
     <message>
         <source>Several adapters: {names}. Their names may swap at the next plugging in, and settings go to the wrong arm. Tell arms apart by the serial number, or give the adapters fixed names:</source>
         <translation>有多个适配器：{names}。重新插拔后名称可能互换，设置会发到错误的机械臂。请按序列号区分，或固定适配器名称：</translation>
+    </message>
+    <message>
+        <source>{names} share one USB controller ({controller}): if it fails, all of them go at once. Spread them over ports of other controllers.</source>
+        <translation>{names} 共用一个 USB 控制器（{controller}）：它一旦故障，它们会同时失效。请分散插到其他控制器的接口上。</translation>
     </message>
     <message>
         <source>There is no device to listen to. A simulated arm in another process is heard with --interface udp_multicast.</source>
@@ -3409,6 +3421,10 @@
     <message>
         <source>{device}: not one frame in {seconds} s. Is the arm switched on, the CAN cable plugged in, the bit rate 1000000? The arm may also be told to keep silent (0x422): a power cycle ends that.</source>
         <translation>{device}：{seconds} s 内没有收到任何报文。机械臂是否上电、CAN 线是否插好、波特率是否为 1000000？机械臂也可能被置为静默（0x422）：重新上电即可恢复。</translation>
+    </message>
+    <message>
+        <source>{device} is deaf: it sends, hears not one frame, and reports no error. Unplug the adapter and plug it in again. If that does not help, check CAN_H and CAN_L, the bit rate, the terminating resistors (120 Ω), a receive filter of the adapter, and the arm&apos;s power.</source>
+        <translation>{device} 收不到任何帧：能发送，却一帧也没听到，也不报错误。请拔下适配器再插上；若仍不行，请检查 CAN_H 和 CAN_L、波特率、终端电阻（120 Ω）、适配器的接收过滤器和机械臂的电源。</translation>
     </message>
     <message>
         <source>{device}: {count} frames in {seconds} s, but no feedback of an arm. Heard: {ids}.</source>
@@ -8617,6 +8633,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>与 {device} 的连接断开：收不到反馈，机械臂可能仍在运动。程序会不断尝试重新连接。{reason}</translation>
     </message>
     <message>
+        <source>Nothing is heard. {reason}</source>
+        <translation>听不到任何帧。{reason}</translation>
+    </message>
+    <message>
+        <source>{device} hears frames again</source>
+        <translation>{device} 又能收到帧了</translation>
+    </message>
+    <message>
         <source>Another armui on this computer uses the same settings file. What is changed here is kept. What is kept there of single arms and devices is followed here at once; other changes made there appear at the next start.</source>
         <translation>本机另一个 armui 正在使用同一设置文件。此处的更改会保留。那边为各机械臂和设备保存的内容在此立即跟随；那边的其他更改在下次启动时生效。</translation>
     </message>
@@ -11043,6 +11067,10 @@ The other program must have ended.</source>
         <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
     </message>
     <message>
+        <source>The adapter sends, but hears nothing, not even errors. Unplug it and plug it in again.</source>
+        <translation>适配器能发送，却什么也收不到，连错误也没有。请拔下再插上。</translation>
+    </message>
+    <message>
         <source>Only listening: nothing is sent but the emergency stop.</source>
         <translation>只听：除急停外不发送任何帧。</translation>
     </message>
@@ -11850,6 +11878,10 @@ The other program must have ended.</source>
     <message>
         <source>The process of the simulated arm has ended. One that was connected is started anew by itself, as after a power cut; otherwise connect again.</source>
         <translation>仿真机械臂的进程已结束。已连接的会自动重新启动，如同断电后上电；否则请重新连接。</translation>
+    </message>
+    <message>
+        <source>{device} is deaf: it has sent {count} frames, heard none, and reports no error. Unplug the adapter and plug it in again. If that does not help, check CAN_H and CAN_L, the bit rate, the terminating resistors (120 Ω), a receive filter of the adapter, and the arm&apos;s power.</source>
+        <translation>{device} 收不到任何帧：已发送 {count} 帧，一帧也没听到，也不报错误。请拔下适配器再插上；若仍不行，请检查 CAN_H 和 CAN_L、波特率、终端电阻（120 Ω）、适配器的接收过滤器和机械臂的电源。</translation>
     </message>
     <message>
         <source>The cell&apos;s file is broken or cut short: line {line}, column {column} is not JSON. Nothing was changed; choose another file, or correct that line.</source>
@@ -15109,6 +15141,10 @@ The other program must have ended.</source>
     <message>
         <source>Bus off</source>
         <translation>总线关闭（bus-off）</translation>
+    </message>
+    <message>
+        <source>Adapter deaf</source>
+        <translation>适配器收不到</translation>
     </message>
     <message>
         <source>10 % of frames lost</source>

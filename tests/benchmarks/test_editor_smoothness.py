@@ -16,9 +16,10 @@ import pytest
 from PySide6.QtCore import QAbstractTableModel, QEventLoop, QModelIndex, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QTableView, QWidget
 
-from armui.app import _SWITCH_INTERVAL_S, SIMULATED, Program, open_device
+from armui.app import _SWITCH_INTERVAL_S, Program, open_device
 from armui.control.arm_controller import ArmController
 from armui.settings import SettingsStore
+from armui.simulated_arms import SIMULATED
 from armui.system.helper_process import FileThread, HelperProcess
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn

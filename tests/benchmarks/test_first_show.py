@@ -9,7 +9,8 @@ import time
 import pytest
 from PySide6.QtWidgets import QApplication, QDialog
 
-from armui.app import SIMULATED, load_pages, open_device
+from armui.app import load_pages, open_device
+from armui.simulated_arms import SIMULATED
 from armui.ui.shell.operation_area import menu_entries
 from armui.ui.shell.pages import PAGES
 from tests.benchmarks import rig

@@ -42,7 +42,8 @@ def pss_mb(pid):
 def main():
     # not above: the picture's process imports this file, too
     from PySide6.QtCore import QTimer
-    from armui.app import Program, SIMULATED, SimulatedArms, open_device
+    from armui.app import Program, open_device
+    from armui.simulated_arms import SIMULATED, SimulatedArms
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import LinkState
     from armui.system.helper_process import HelperProcess

@@ -9,10 +9,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from armui.app import SIMULATED, SimulatedArms, open_device
+from armui.app import open_device
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.simulated_arms import SIMULATED, SimulatedArms
 from armui.system.paths import URDF
 from armui.viewport.client import PictureClient
 from armui.viewport.grips import GripKind

@@ -85,6 +85,9 @@ def test_options_left_out() -> None:
         "offset": None,
         "seed": 0,
         "bugs": frozenset(),
+        "api_on": False,
+        "grant": False,
+        "socket": None,
         "model": PiperModel.PIPER,
     }
 

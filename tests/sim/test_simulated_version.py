@@ -8,9 +8,10 @@ import can
 import pytest
 
 from armui import app
-from armui.app import SIMULATED, SimulatedArms, open_device
+from armui.app import open_device
 from armui.cli import main
 from armui.protocol.firmware_version import VERSION_ID, find_version
+from armui.simulated_arms import SIMULATED, SimulatedArms
 
 WITHIN_S = 20.0
 

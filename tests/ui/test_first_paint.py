@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui import app
 from armui.app import AfterFirstPaint
+from armui.simulated_arms import SIMULATED
 
 
 class Painted(QWidget):
@@ -51,7 +52,7 @@ def test_the_window_is_shown_with_its_device_expected(qtbot, monkeypatch):
     program.window.show.side_effect = lambda: happened.append("shown")
     for part in ("AfterFirstPaint", "_GoingFirst", "QTimer"):
         monkeypatch.setattr(app, part, Mock())
-    app._run_window(Mock(), program, Mock(), app.SIMULATED[0], Mock())
+    app._run_window(Mock(), program, Mock(), SIMULATED[0], Mock())
     assert happened == ["expected", "shown"]
     app._run_window(Mock(), program, Mock(), None, Mock())
     assert happened == ["expected", "shown", "shown"]
