@@ -64,11 +64,12 @@ def run(options: argparse.Namespace) -> int:
     granted = "granted to whoever asks" if options.grant else "granted to nobody: see --grant"
     code = 0
 
-    def serve() -> None:
+    def serve(_now: object) -> None:
         """Serve the interface once the arm is known."""
         nonlocal code
-        if interface.view.on or controller.operating_state.generation is None:
+        if controller.operating_state.generation is None:
             return
+        controller.operating_state_changed.disconnect(serve)
         interface.switch(on=True)
         problem = interface.view.problem
         if problem is not None:
@@ -82,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
         )
         sys.stdout.flush()
 
-    controller.operating_state_changed.connect(lambda _now: serve())
+    controller.operating_state_changed.connect(serve)
     with _ended_by_signals(app):
         app.exec()
     interface.end()
