@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 
 import pytest
+import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory import columns
+from armui.trajectory.columns import plain_yaml
 from armui.trajectory.columns.foreign import FILE_COMMANDS, FILE_FOREIGN, as_table
-from armui.trajectory.columns.plain_yaml import read_yaml
 from armui.trajectory.files import TrajectoryFileError
 from armui.trajectory.library.importing import find_or_import, import_files
 from armui.trajectory.library.store import Library
@@ -234,24 +237,47 @@ def test_a_plain_table_stays_as_it_is():
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("a: 1\nb: [1, -2.5, x y]\n", [{"a": 1, "b": [1, -2.5, "x y"]}]),
-        ("a:\n- 1\n- 2\nb:\n  - 3\n", [{"a": [1, 2], "b": [3]}]),
-        ("- a: 1\n  b:\n    c: 2\n-\n  a: 3\n- - 4\n  - 5\n",
-         [[{"a": 1, "b": {"c": 2}}, {"a": 3}, [4, 5]]]),
-        ("---\na: 'x: y'\n...\n---\nb: \"z\" # said\n", [{"a": "x: y"}, {"b": "z"}]),
-        ("a: {b: 1, c: [2, {d: 3}]}\ne:\nf: true\n",
-         [{"a": {"b": 1, "c": [2, {"d": 3}]}, "e": None, "f": True}]),
-        ("a: [1,\n    2,\n  3]\n", [{"a": [1, 2, 3]}]),
-        ("a: 12:30\n", [{"a": "12:30"}]),
+        ("a: [1e-3, 1.5E3, -.5, +2, 010, 7.]\n", [{"a": [0.001, 1500.0, -0.5, 2, 10, 7.0]}]),
+        ("a: [.inf, -.INF, inf]\n", [{"a": [math.inf, -math.inf, math.inf]}]),
+        ("a: [true, False, on, off, yes, n]\n", [{"a": [True, False, "on", "off", "yes", "n"]}]),
+        ("a: [12:30, 2024-01-02, =, <<, 0x1f]\n",
+         [{"a": ["12:30", "2024-01-02", "=", "<<", "0x1f"]}]),
+        ("a: ['1', \"2.5\", 'true', '']\nb: |\n  3\n",
+         [{"a": ["1", "2.5", "true", ""], "b": "3\n"}]),
+        ("---\na: ~\n...\n---\n1: null\non:\n---\n", [{"a": None}, {"1": None, "on": None}]),
+        ("a: &x [1]\nb: *x\n", None),
+        ("<<: &x {a: 1}\nb:\n  <<: *x\n", None),
+        ("a: &a [&b [&c [1]]]\nb: &d [*a, *a, *a]\n", None),
+        ("a: !!python/object/apply:os.getcwd []\n", None),
+        ("a: !!timestamp 5\n", None),
+        ("a: ! 5\n", None),
         ("a: 1\n   b: 2\n", None),
-        ("a: &x 1\n", None),
-        ("a: |\n  text\n", None),
         ("a: [1, 2\n", None),
-        ("some prose\nand more\n", None),
+        ("a: 1\n\tb: 2\n", None),
     ],
 )  # fmt: skip
-def test_plain_yaml_is_read_and_no_other(text, expected):
-    assert read_yaml(text) == expected
+@pytest.mark.parametrize("loader", [plain_yaml._LOADER, yaml.SafeLoader])
+def test_figures_of_yaml_are_what_they_look_like_and_aliases_and_tags_are_refused(
+    monkeypatch, loader, text, expected
+):
+    """PyYAML may have been built without its parser in C."""
+    monkeypatch.setattr(plain_yaml, "_LOADER", loader)
+    assert plain_yaml.read_yaml(text) == expected
+
+
+@pytest.mark.parametrize("text", ["[" * 700 + "]" * 700, "- " * 700, "a: " + "[" * 99_999])
+def test_what_is_nested_without_end_is_refused(tmp_path, text):
+    (done,) = import_files(tmp_path / "library", [written(tmp_path, text)])
+    assert done.error.refusal.reason == FILE_FOREIGN
+
+
+def test_nothing_of_yaml_is_loaded_before_a_file_of_it_is_read():
+    code = (
+        "import sys, armui.trajectory.columns as columns; before = 'yaml' in sys.modules; "
+        "columns.foreign.as_table('- 1'); print(before, 'yaml' in sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["False", "True"]
 
 
 @settings(max_examples=examples(200))

@@ -16,7 +16,6 @@ from typing import Any, Final, NamedTuple
 
 from armui.arm.refusal import Reason
 from armui.trajectory.columns.model import JOINTS, as_number
-from armui.trajectory.columns.plain_yaml import read_yaml
 from armui.trajectory.files.errors import broken
 
 FILE_FOREIGN = Reason(
@@ -73,7 +72,10 @@ def as_table(text: str) -> Table | None:
     if _PPR.search(text[:_HEAD]):
         return Table(_of_brackets(text), True)
     if _STRUCTURED.match(text):
-        records = _places(_parsed(text), {})
+        try:
+            records = _places(_parsed(text), {})
+        except RecursionError:  # nested as no list of places is
+            return None
         return None if not records else Table(_written(_rows(records)), True)
     return _of_cells(text)
 
@@ -90,11 +92,13 @@ def _parsed(text: str) -> Any:
     """Return the content of JSON, of a JSON object in each line, or of YAML; else ``None``."""
     try:
         return json.loads(text)
-    except (ValueError, RecursionError):
+    except ValueError:
         pass
     try:
         return [json.loads(line) for line in text.splitlines() if line.strip()]
-    except (ValueError, RecursionError):
+    except ValueError:
+        from armui.trajectory.columns.plain_yaml import read_yaml  # noqa: PLC0415 - seldom wanted
+
         return read_yaml(text)
 
 
