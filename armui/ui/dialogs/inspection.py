@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 _SIZE_PX: Final = (780, 720)
 _STEP_DEG: Final = 5
+_REPORT_PX: Final = 600
 
 
 class ReportExport(FileExport):
@@ -112,6 +113,7 @@ class InspectionDialog(ArmDialog):
         grid.setColumnStretch(2, 1)
         grid.setRowStretch(len(JOINTS) + 1, 1)
         self.report_view = named("inspection_report", QTextBrowser())
+        self.report_view.setMinimumWidth(_REPORT_PX)  # a report is as wide as its curves
         self._message = named("inspection_message", MessageLine(self))
         choice = in_row(self._amplitude_label, self.amplitude, self._speed, STRETCH, spacing=10)
         fill(self.body, self._intro, choice, (self._table, 1), (self.report_view, 1), self._message)
