@@ -8,6 +8,7 @@ test takes the pairs of these, the command all of them, and 150 % in a process t
 from __future__ import annotations
 
 import argparse
+import json
 import os
 import subprocess
 import sys
@@ -57,6 +58,8 @@ SIZES: Final[Mapping[str, tuple[int, int]]] = {
 """Of the window, in Qt's pixels; the last is 1920×1080 of which each is one and a half."""
 _SCALED: Final = "150 %"
 _SCALE: Final = 1.5
+_SCREEN: Final = {"name": "scaled", "x": 0, "y": 0, "width": 1920, "height": 1080}
+"""Of the window that is so scaled, in its own pixels: that of the platform has 800×800."""
 LANGUAGES: Final[tuple[Language, ...]] = ("en", "zh")
 
 
@@ -252,7 +255,12 @@ def _scaled(places: list[str], sizes: list[str], scale: float = 1.0) -> int:
     """Look at some sizes in a process whose pixels are so many of the screen's; its result."""
     command = [sys.executable, "-m", "tests.layout", *places, "--sizes", *sizes]
     environment = {**os.environ, "QT_SCALE_FACTOR": str(scale)}
-    return subprocess.run(command, check=False, env=environment).returncode
+    with tempfile.TemporaryDirectory() as folder:
+        if scale != 1.0:
+            screens = Path(folder) / "screens.json"
+            screens.write_text(json.dumps({"screens": [_SCREEN]}), encoding="utf-8")
+            environment["QT_QPA_PLATFORM"] = f"offscreen:configfile={screens}"
+        return subprocess.run(command, check=False, env=environment).returncode
 
 
 def main() -> int:
