@@ -4757,10 +4757,6 @@
         <source>Sender</source>
         <translation>发送方</translation>
     </message>
-    <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
 </context>
 <context>
     <name>FindBar</name>
@@ -9922,10 +9918,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <source>{count} s</source>
         <translation>{count} 秒</translation>
     </message>
-    <message>
-        <source>Live</source>
-        <translation>实时</translation>
-    </message>
 </context>
 <context>
     <name>PlotExport</name>
@@ -11199,6 +11191,10 @@ The other program must have ended.</source>
         <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：各关节一起缓慢移动。</translation>
     </message>
     <message>
+        <source>Paused: with the speed above 0 %, hold “Continue” for 1 s</source>
+        <translation>已暂停：速度高于 0 % 时，按住“继续”1 秒</translation>
+    </message>
+    <message>
         <source>Another program may have left a motion held back in the arm. Give it up, or go on with it there; the next motion from here drops it.</source>
         <translation>机械臂中可能留有其他程序暂停的运动。请放弃，或在那里继续；本程序的下一次运动会将其取消。</translation>
     </message>
@@ -11273,10 +11269,6 @@ The other program must have ended.</source>
     <message>
         <source>The way to the last target is singular, and it was not taken. Send another target, or by joints.</source>
         <translation>到上一个目标的路径经过奇异点，目标未被执行。请发送其它目标，或按关节发送。</translation>
-    </message>
-    <message>
-        <source>Paused: hold “Continue” for 1 s</source>
-        <translation>已暂停：按住“继续”1 秒</translation>
     </message>
     <message>
         <source>Waiting: press “Next step”</source>
@@ -13486,6 +13478,10 @@ The other program must have ended.</source>
         <translation>不含未保存的修改</translation>
     </message>
     <message>
+        <source>{time} a run</source>
+        <translation>每次 {time}</translation>
+    </message>
+    <message>
         <source>at {percent} % ≈ {time}</source>
         <translation>{percent} % 时 ≈ {time}</translation>
     </message>
@@ -13500,10 +13496,6 @@ The other program must have ended.</source>
     <message>
         <source>The first sample is approached at {percent} %.</source>
         <translation>先以 {percent} % 运动到第一个采样点。</translation>
-    </message>
-    <message>
-        <source>≈ {time} a run</source>
-        <translation>每次 ≈ {time}</translation>
     </message>
     <message>
         <source>Step by step it takes as long as the operator.</source>

@@ -20,6 +20,7 @@ REPORT = {
     "firmware": "S-V1.8-5", "offset": 0, "channel": "can0", "other_channels": ["can1"],
     "of_other_channels": 41_020, "not_understood": 12, "questions": 0, "without_stamp": 0,
     "damages": [["byte 48213", "the file breaks off", 5_412_268, False]], "damage_count": 1,
+    "notes": [],
 }  # fmt: skip
 
 

@@ -97,6 +97,8 @@ def test_it_takes_settings_and_leaves_jog_run_and_stop(locked):
         assert reasons[name] == REASON
     assert {n for n in STAY_COMMANDS & reasons.keys() if reasons[n] == REASON} == set()
     assert not locked.find("settings_button").isEnabled()
+    assert not locked.find("set_own_home_button").isEnabled()
+    assert REASON in locked.find("set_own_home_button").toolTip()
     assert not locked.find("menu_fold").isVisible()
     assert not locked.find("menu_joint_settings").isVisible()
     assert locked.find("stop_button").isEnabled()

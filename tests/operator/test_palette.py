@@ -9,11 +9,13 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.search import rank
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
+from armui.ui.picture.view_bar import ViewBar
 from armui.ui.shell.pages import PLACES
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.widgets.hold_button import HoldButton
@@ -101,6 +103,9 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
         *((each, "Linkage") for each in ("leader", "主从")),
         *((each, "Gripper control") for each in ("torque", "力矩")),
         *((each, "Trajectory library") for each in ("waypoint", "路点")),
+        *((each, "User guide") for each in ("font", "text size", "字号")),
+        *((each, "Import files") for each in ("open file", "打开 文件")),
+        *((each, "Replay a log") for each in ("open recording", "打开 录制")),
         ("led", "Light control"),
         ("断电", "Enable or disable"),
     ],
@@ -109,6 +114,16 @@ def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first)
     palette = open_palette(app_driver)
     palette.search.setText(words)
     assert rows(palette)[0].title.startswith(first)
+
+
+def test_the_picture_is_found_as_a_screenshot(app_driver):
+    commands, names = (
+        {each.name: each for each in ViewBar.commands},
+        open_palette(app_driver)._names,
+    )
+    for name in ("view.save", "view.copy"):
+        text = names.search_text(("Save",), "", commands[name].synonyms)
+        assert all(rank(each, text) for each in ("screenshot", "截图", "jietu"))
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])

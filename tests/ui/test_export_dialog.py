@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from pytestqt.qtbot import QtBot
 
 from armui.export.process import ExportDone
 from armui.protocol.generation import Generation, PiperModel
+from armui.session.batch_builder import LOG_NO_TIMES
 from armui.session.exports.request import (
     ArmOptions,
     ExportFormat,
@@ -34,6 +36,7 @@ REPORT = {
     "model": "PiPER", "why_model": "", "pose_fits": "",
     "offset": 0, "channel": "can0", "other_channels": [], "of_other_channels": 0,
     "not_understood": 0, "questions": 0, "without_stamp": 0, "damages": [], "damage_count": 0,
+    "notes": [],
 }  # fmt: skip
 
 
@@ -154,13 +157,14 @@ def test_damage_other_channels_and_foreign_frames_are_said(qtbot, dialog, export
     press_export(dialog)
     more = {
         "damage_count": 3, "damages": [["line 7", "'x'", 6, False]], "other_channels": ["can1"],
-        "of_other_channels": 50, "not_understood": 4,
+        "of_other_channels": 50, "not_understood": 4, "notes": [asdict(LOG_NO_TIMES())],
     }  # fmt: skip
     exports.tell(ExportDone(report={**REPORT, **more}))
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.csv')} (1,234 rows)"
     assert remarks(dialog).split("\n") == [
         "Unreadable places in the log: 3; the first: line 7 ('x'). Everything else was exported.",
+        LOG_NO_TIMES.source,
         "Only channel can0 was exported; 50 frames of can1 were left out.",
         "5,678 frames read as generation 2, PiPER. 4 of them do not belong to the arm.",
     ]

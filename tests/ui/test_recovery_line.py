@@ -23,7 +23,12 @@ def line(qtbot, controller):
         (StepKind.MOVING, Level.INFO, "The arm is moving", False),
         (StepKind.RUNNING, Level.INFO, "A trajectory is running", False),
         (StepKind.RUN_WAITS, Level.INFO, "Waiting: press “Next step”", True),
-        (StepKind.RUN_PAUSED, Level.WARNING, "Paused: hold “Continue” for 1 s", True),
+        (
+            StepKind.RUN_PAUSED,
+            Level.WARNING,
+            "Paused: with the speed above 0 %, hold “Continue” for 1 s",
+            True,
+        ),
     ],
 )
 def test_it_says_what_the_arm_is_at(line, controller, kind, level, said, sign):

@@ -362,7 +362,7 @@ class StepKind(enum.Enum):
         "The way to the last target is singular, and it was not taken. Send another target, or by "
         "joints.",
     )
-    RUN_PAUSED = StepText("run_paused", "Paused: hold “Continue” for 1 s")
+    RUN_PAUSED = StepText("run_paused", "Paused: with the speed above 0 %, hold “Continue” for 1 s")
     RUN_WAITS = StepText("run_waits", "Waiting: press “Next step”")
     RUNNING = StepText("running", "A trajectory is running")
     IN_AREA = StepText(

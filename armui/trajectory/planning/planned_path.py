@@ -59,6 +59,13 @@ class PlannedPath:
         return float(first[-1]) if len(first) else 0.0
 
     @property
+    def lap_s(self) -> float:
+        """The duration of a cycle that follows another: of the last way to each point."""
+        ends = np.flatnonzero(np.append(self.begins[1:], True))
+        lasting_s = np.diff(self.times_s[ends], prepend=0.0).tolist()
+        return sum(dict(zip(self.rows[ends].tolist(), lasting_s, strict=True)).values())
+
+    @property
     def begins(self) -> npt.NDArray[np.bool_]:
         """(n,) true for each sample that is the first on the way to a point, in any cycle."""
         changes = (np.diff(self.rows) != 0) | (np.diff(self.cycles) != 0)

@@ -74,7 +74,7 @@ _COMMANDS: Final = (
     Command(_OPERATOR_VIEW, Text("Action", "Operator's view: only jog, run and stop"),
             synonyms=also("lock kiosk protect 锁定 操作员")),
     Command("everywhere.guide", Text("Action", "User guide"),
-            synonyms=also("manual help documentation 帮助 手册 说明书")),
+            synonyms=also("manual help documentation font text size 帮助 手册 说明书 字体 字号")),
     Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
             synonyms=also("keys hotkeys 热键")),
     Command("window.close", Text("Action", "Close the program"), synonyms=also("quit exit 退出")),

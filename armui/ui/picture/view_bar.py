@@ -10,7 +10,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QFrame, QMenu, QToolButton
 
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.actions.keys import SHORTCUTS, keys_of
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -49,6 +49,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "copy": "Puts the picture with its figures into the clipboard",
 }
 """The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
+_ALSO: Final = dict.fromkeys(("save", "copy"), also("screenshot image capture 截图 截屏"))
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area", "frames")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",
@@ -96,7 +97,7 @@ class ViewBar(Translated, QFrame):
     """
 
     commands = (
-        *(Command(f"view.{name}") for name in (*_TIPS, "handles")),
+        *(Command(f"view.{name}", synonyms=_ALSO.get(name, ())) for name in (*_TIPS, "handles")),
         *(Command(f"view.trail_{length_s}", title) for length_s, title in _TRAILS.items()),
         *(Command(f"view.handles_{kind}", title) for kind, title in _HANDLE_TITLES.items()),
     )

@@ -207,7 +207,7 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
     "replay": PageEntry(
         Text("Place", "Replay"), Home.WINDOW, replay_window, _new_replay,
         command=Command("replay.open", Text("Action", "Replay a log"),
-                        synonyms=also("playback play log 播放"))),
+                        synonyms=also("open recording playback play log 打开 播放 录制"))),
     "export": PageEntry(
         Text("Action", "Export a log"), Home.WINDOW, export_dialog,
         lambda it: export_dialog()(it.controller, it.window),

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.models import all_models
+from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Level
 from armui.export.process import ExportDone, ExportProcess
 from armui.protocol.generation import Generation
@@ -34,6 +35,7 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
+from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm_dialog import confirm
@@ -155,6 +157,8 @@ def remarks_text(report: dict[str, Any]) -> list[str]:
             "Everything else was exported.",
         )
         lines.append(text.format(count=report["damage_count"], place=first[0], reason=first[1]))
+    notes = [Refusal(Reason(**note["reason"]), note["params"]) for note in report["notes"]]
+    lines += map(words.refusal, notes)
     if report["of_other_channels"]:
         text = translate(
             "ExportDialog",

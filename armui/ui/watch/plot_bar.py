@@ -90,7 +90,6 @@ class PlotBar(Translated, QWidget):
         self.sets.setCurrentIndex(self.sets.findData(name or ""))
         self._show_span(frame.shown.span_s)
         self.pause.setChecked(not frame.live)
-        self.pause.setText(self.tr("Pause") if frame.live else self.tr("Live"))
         self.undo.setEnabled(frame.can_undo)
         self.cursors.setChecked(self._board.has_cursors)
 
@@ -118,6 +117,7 @@ class PlotBar(Translated, QWidget):
             self.spans.addItem(_span_text(span_s), span_s)
         self.spans.setToolTip(self.tr("The time span shown; the mouse wheel changes it, too"))
         self.spans.setAccessibleName(self.tr("Time shown"))
+        self.pause.setText(self.tr("Pause"))
         self.undo.setText(self.tr("Undo zoom"))
         self.undo.setToolTip(self.tr("Drag a box in a plot to zoom in. Back: Ctrl+Z"))
         self.cursors.setText(self.tr("Cursors"))

@@ -87,6 +87,25 @@ def test_the_checked_figure_takes_its_place(driver):
     assert not length(driver, "both").startswith("≈")
 
 
+def test_of_a_loop_a_check_tells_a_further_run_and_at_a_lower_speed_the_estimate_stays(driver):
+    driver.choose("both")
+    at_full_speed(driver)
+    driver.window.findChild(QWidget, "run_cycles").setCurrentIndex(2)
+    driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    there = seconds(told(driver.window).removesuffix(" a run"))
+    driver.window._run_bar.check()
+    driver.app_driver.wait(lambda: not told(driver.window).startswith("≈"))
+    there_and_back = seconds(told(driver.window).removesuffix(" a run"))
+    assert there_and_back == pytest.approx(2 * there, rel=0.1)
+    driver.app_driver.controller.motion.set_speed_percent(50)
+    driver.app_driver.run(0.5)
+    driver.app_driver.wait(lambda: told(driver.window).startswith("at 50 % ≈"))
+    driver.window._run_bar.check()
+    full, slowed = effective(driver.window).text().split(" · ")
+    assert seconds(full.removesuffix(" a run")) == there_and_back
+    assert slowed.startswith("at 50 % ≈")
+
+
 def test_beside_send_it_is_that_of_what_is_chosen(driver):
     driver.choose("both")
     at_full_speed(driver)
@@ -163,4 +182,7 @@ def test_a_lower_speed_is_told_beside_the_whole(driver):
     assert full == whole
     assert seconds(slowed.removeprefix("at 10 % ")) > 1.5 * seconds(whole)
     driver.window._run_bar.check()
-    assert effective(driver.window).text() == f"{full} · {slowed}", "a check counts no slower speed"
+    checked, estimated = effective(driver.window).text().split(" · ")
+    assert seconds(checked) == pytest.approx(seconds(full), abs=0.2)
+    assert not checked.startswith("≈")
+    assert estimated == slowed, "a check counts no slower speed"

@@ -66,8 +66,10 @@ def test_paused_it_stands_still_and_runs_on(plots, app_driver):
     edge_s = plots.board.edge_s()
     app_driver.run(1.0)
     assert plots.board.edge_s() == edge_s
-    assert plots.window.bar.pause.text() == "Live"
+    assert plots.window.bar.pause.text() == "Pause"
+    assert plots.window.bar.pause.isChecked()
     plots.click("plot_pause")
+    assert not plots.window.bar.pause.isChecked()
     assert plots.board.edge_s() == plots.board.now_s()
 
 

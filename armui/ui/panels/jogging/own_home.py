@@ -21,11 +21,8 @@ from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import also
-from armui.ui.widgets.buttons import (
-    give_menu,
-    named,
-    push_button,
-)
+from armui.ui.actions.operator_view import why_taken
+from armui.ui.widgets.buttons import enable_or_explain, give_menu, named, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
@@ -178,8 +175,9 @@ class OwnHome(HasActs, Translated, QWidget):
     def show_possible(self) -> None:
         """Enable it, or show why not; the tooltip contains the pose."""
         self.show_acts()
-        kept = self.tr("Sets the park position of this arm; nothing moves.")
-        self._set.setToolTip("\n".join(filter(None, (kept, self._doubt()))))
+        use = self.tr("Sets the park position of this arm; nothing moves.")
+        use = "\n".join(filter(None, (use, self._doubt())))
+        enable_or_explain(self._set, why_taken("motion.set_own_home"), use)
 
     def _doubt(self) -> str:
         """Return a warning if another arm at this adapter would be taken for this one, else ""."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QAbstractButton, QLineEdit, QMenu, QPushButton, QT
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.actions.act import Act, ActFamily, HasActs
+from armui.ui.actions.command import also
 from armui.ui.actions.keys import SHORTCUTS, key_text, keys_of, listen_for
 from armui.ui.widgets.buttons import give_menu, named
 from armui.ui.widgets.flow import Flow
@@ -42,6 +43,7 @@ class LibraryBar(HasActs, QWidget):
                 named=f"library_{name}",
                 key=f"library.{name}",
                 shortcut="",
+                synonyms=also("open load file 打开 文件") if name == "import" else (),
             )
             for name in ("import", "create", "record", "delete", "duplicate", "rename")
         }

@@ -370,19 +370,17 @@ class RunBar(Translated, QWidget):
     def _times_texts(self, percent: int) -> list[str]:
         """Return how long it takes: estimates, or as it was checked; empty if it is not known."""
         estimate = self._estimate
-        if estimate.seconds is None or estimate.slowed_s is None or self._steps.isChecked():
+        if estimate.seconds is None or self._steps.isChecked():
             return []
         if percent == 0:  # held back: without end
             return []
-        full, slowed = fmt.duration(estimate.seconds), fmt.duration(estimate.slowed_s)
-        if estimate.is_checked:
-            return [full]
-        texts = [f"≈ {full}"]
+        full = fmt.duration(estimate.seconds)
+        texts = [full if estimate.is_checked else f"≈ {full}"]
         if self._cycles.currentIndex() == _LOOP:
-            texts = [self.tr("≈ {time} a run").format(time=full)]
-        if percent != FULL_PERCENT:
+            texts = [self.tr("{time} a run").format(time=texts[0])]
+        if percent != FULL_PERCENT and estimate.slowed_s is not None:
             text = self.tr("at {percent} % ≈ {time}")
-            texts.append(text.format(percent=percent, time=slowed))
+            texts.append(text.format(percent=percent, time=fmt.duration(estimate.slowed_s)))
         return texts
 
     def _time_tip(self) -> str:

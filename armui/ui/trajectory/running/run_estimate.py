@@ -61,7 +61,7 @@ class RunEstimate(QObject):
     Attributes:
         seconds: The time of the run at 100 %; ``None`` where it is not known.
         slowed_s: Its time at the operator's speed.
-        is_checked: True if a check worked the time out, from where the arm stood then.
+        is_checked: True if a check worked that at 100 % out, from where the arm stood then.
         from_here: True if it counts the way from where the arm stands to the first point.
         is_asked: True while the time is being worked out.
     """
@@ -118,15 +118,15 @@ class RunEstimate(QObject):
         self._forget()
 
     def take(self, checked: Preflight) -> None:
-        """Take over the time that a check of this run found, once from where the arm stands.
+        """Take over the time that a check of this run found; without end that of a further cycle.
 
-        A check counts no slower speed of the operator's.
+        A check counts no slower speed of the operator's, for which the estimate holds.
         """
-        if self._of is None or self._percent() != FULL_PERCENT:
-            return
-        if checked.order.cycles == 1 and not checked.errors:
-            self._forget()
-            self.seconds = self.slowed_s = checked.path.first_cycle_s
+        cycles, path = checked.order.cycles, checked.path
+        repeats_as_it_is = cycles == 1 or not isinstance(checked.content, Recording)
+        if self._of is not None and repeats_as_it_is and not checked.errors:
+            first_s = path.first_cycle_s
+            self.seconds = first_s + (cycles - 1) * path.lap_s if cycles else path.lap_s
             self.is_checked = True
             self.changed.emit()
 
@@ -153,5 +153,6 @@ class RunEstimate(QObject):
 
     def _on_known(self, known: tuple[float | None, ...] | Refusal) -> None:
         self._job, self.is_asked = None, False
-        self.seconds, self.slowed_s = (None, None) if isinstance(known, Refusal) else known
+        seconds, self.slowed_s = (None, None) if isinstance(known, Refusal) else known
+        self.seconds = self.seconds if self.is_checked else seconds
         self.changed.emit()

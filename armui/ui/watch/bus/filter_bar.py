@@ -16,7 +16,6 @@ from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
-from armui.ui.words.text import Text
 
 _IDS_PX: Final = 140
 _TEXT_PX: Final = 200
@@ -47,7 +46,6 @@ class FilterBar(HasActs, Translated, QWidget):
         named="bus_pause",
         tip="Freezes the figures; frames that come meanwhile are still counted",
         key="bus.pause",
-        title=Text("FilterBar", "Pause"),
         kind=toggle_button,
     )
     clear = Act("Clear", named="bus_clear", tip="Starts counting from zero", key="bus.clear")
@@ -87,7 +85,7 @@ class FilterBar(HasActs, Translated, QWidget):
         parts = (self.by_id, self.in_order, (self.text, 1), self.more, self.pause, self.clear)
         in_row(*parts, on=self, spacing=6, margins=0)
         self.changed.connect(self._show_narrowed)
-        self.pause.toggled.connect(self._on_pause)
+        self.pause.toggled.connect(self.pause_wanted)
         self.text.textChanged.connect(self.changed)
         self.ids.textChanged.connect(self._on_ids)
         self.senders.currentIndexChanged.connect(self.changed)
@@ -151,14 +149,6 @@ class FilterBar(HasActs, Translated, QWidget):
         count = sum(map(bool, chosen))
         text = self.tr("Filter")
         self.more.setText(f"{text} ({count})" if count else text)
-
-    def _on_pause(self, wanted: bool) -> None:
-        self.pause_wanted.emit(wanted)
-        self.show_acts()
-
-    @pause.text
-    def _pause_text(self) -> str:
-        return self.tr("Live") if self.pause.isChecked() else self.tr("Pause")
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
