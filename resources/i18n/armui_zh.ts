@@ -10142,8 +10142,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 （{point}）</translation>
     </message>
     <message>
-        <source>Middle pose</source>
-        <translation>中间位姿</translation>
+        <source>Middle
+pose</source>
+        <translation>中间
+位姿</translation>
     </message>
     <message>
         <source>Speed</source>

@@ -13,6 +13,7 @@ from armui.control.operating_state import RUN_UNDER_WAY
 from armui.control.run.arrival import RUN_ELSEWHERE
 from armui.control.run.player import NOT_PAUSED, NOT_RUNNING, RUN_TOO_SLOW
 from armui.control.run.progress import ENDLESS, Run, RunPhase
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import ARM_FAULT, NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
@@ -323,3 +324,27 @@ def test_words_out_of_place(ready):
     assert player.go_on().reason == NOT_PAUSED
     player.stop()
     assert phase(ready) is RunPhase.IDLE
+
+
+@pytest.mark.parametrize(("late_s", "ends"), [(0.3, RunPhase.DONE), (5.0, RunPhase.FAILED)])
+def test_angles_that_come_late_put_a_point_off_and_do_not_end_the_run(
+    rig, monkeypatch, late_s, ends
+):
+    rig.ready()
+    player, authority = rig.controller.player, rig.controller._authority
+    measured_deg, late = authority.measured_deg, FEEDBACK_SILENT(frames="0x2A5", seconds=0.05)
+    since_s = []
+
+    def comes_late():
+        if player._index == 0:
+            return measured_deg()
+        since_s.append(rig.time_s)
+        return None if rig.time_s - since_s[0] < late_s else measured_deg()
+
+    monkeypatch.setattr(authority, "measured_deg", comes_late)
+    monkeypatch.setattr(authority, "why_unmeasured", lambda: late)
+    accepted(player.start(run_of(to(OUT), to(BACK))))
+    rig.run_until(lambda: player.progress.phase in {RunPhase.DONE, RunPhase.FAILED})
+    assert player.progress.phase is ends
+    assert since_s
+    assert player.progress.refusal == (late if ends is RunPhase.FAILED else None)

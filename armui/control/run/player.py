@@ -37,6 +37,7 @@ from armui.control.run.progress import (
     sent_percent,
 )
 from armui.control.run.replay import RUN_EMPTY
+from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.gate import MotionRequest
 from armui.control.safety.interlocks import PASSING, SPEED_ZERO
 from armui.protocol.codes import MoveMode
@@ -138,6 +139,7 @@ class Player(Execution):
         self._cycle = 1
         self._watch: ArrivalWatch | None = None
         self._way_in: list[Waypoint] = []
+        self._owed, self._due_s = False, 0.0
 
     @property
     def sets_lamps(self) -> bool:
@@ -291,6 +293,8 @@ class Player(Execution):
 
     def _follow_motion(self) -> None:
         run, watch, schedule = self._run, self._watch, self._schedule
+        if self._owed:
+            self._send_point(again=True)
         if run is None or watch is None or schedule is None:
             return
         self._keep_time()
@@ -361,10 +365,12 @@ class Player(Execution):
             self._send_point()
         self._publish()
 
-    def _send_point(self) -> None:
+    def _send_point(self, *, again: bool = False) -> None:
         run = self._run
         if run is None:
             return
+        self._due_s = self._due_s if again else self._context.clock()
+        self._owed = False
         point = self._point(run)
         context, percent = self._context, self._percent
         self._since_s = self._looked_s = context.clock()
@@ -381,13 +387,19 @@ class Player(Execution):
                 joints_deg=point.target if point.is_joint else None,
                 tool_way=tool_way(point, context.state()),
                 sent=lambda command: self._on_sent(point, command),
-                refused=self._fail,
+                refused=self._refused,
             )
         )
         if refusal is not None:
-            self._fail(refusal)
+            self._refused(refusal)
         else:
             self._publish()
+
+    def _refused(self, refusal: Refusal) -> None:
+        """End the run; where angles only come late, the point is sent once they are fresh."""
+        self._owed = refusal.reason == FEEDBACK_SILENT
+        if not self._owed or self._context.clock() - self._due_s > _UNKNOWN_FOR_S:
+            self._fail(refusal)
 
     def _on_sent(self, point: Waypoint, command: MotionCommand) -> None:
         self._since_s = self._looked_s = self._context.clock()

@@ -7,7 +7,6 @@ import re
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import (
     ControlMode,
     CpvAction,
@@ -18,6 +17,7 @@ from armui.protocol.codes import (
     TrajectoryCommand,
 )
 from armui.protocol.frame import Frame
+from armui.protocol.motion_frames import command_id
 from armui.telemetry.bus_senders import VERSION_ID, speaks_for_arm
 
 FRAME_ID_BAD = Reason(
@@ -176,14 +176,6 @@ def is_upgrade(arbitration_id: int) -> bool:
 def sets_mode(frame: Frame) -> bool:
     """Return whether a frame is a mode word (0x151) under any offset."""
     return command_id(frame.arbitration_id) == _MODE_ID
-
-
-def command_id(arbitration_id: int) -> int | None:
-    """Return the identifier 0x150–0x15F without its offset (0x470); ``None`` for any other."""
-    for offset in OFFSETS:
-        if 0x150 <= arbitration_id - offset <= 0x15F:
-            return arbitration_id - offset
-    return None
 
 
 def effect_of(frame: Frame) -> FrameEffect:

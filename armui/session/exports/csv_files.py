@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING, BinaryIO, Final
 
 import numpy as np
 
-from armui.session.exports.export_columns import RecordColumns, TableColumns, table_rows
+from armui.session.exports.export_columns import (
+    RecordColumns,
+    TableColumns,
+    table_rows,
+    titled,
+)
 from armui.system.files import open_file
 
 if TYPE_CHECKING:
@@ -41,7 +46,7 @@ class CsvTable:
         self._records = TableColumns(facts.codec).records
         self._templates = {each.message: _table_template(each) for each in self._records}
         self.items = 0
-        titles = [column.title for record in self._records for column in record.columns]
+        titles = [titled(column) for record in self._records for column in record.columns]
         self._stream.write(BOM + ",".join((*TIME_TITLES, *titles)).encode() + b"\r\n")
 
     def write_span(self, history: History, span: TimeSpan) -> None:
@@ -132,7 +137,7 @@ class CsvMessages:
         if file is None:
             path = self._folder / f"{layout.arbitration_id:03X}_{layout.name}.csv"
             file = self._files[layout.name] = open_file(path, "xb")
-            titles = (*TIME_TITLES, *map(_title, layout.signals.values()))
+            titles = (*TIME_TITLES, *map(titled, layout.signals.values()))
             file.write(BOM + ",".join(titles).encode() + b"\r\n")
         return file
 
@@ -152,10 +157,6 @@ class CsvMessages:
         for file in self._files.values():
             with contextlib.suppress(OSError):
                 file.close()
-
-
-def _title(signal: SignalLayout) -> str:
-    return f"{signal.name} [{signal.unit}]" if signal.unit else signal.name
 
 
 def _template(signal: SignalLayout) -> str:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from armui.protocol.codec import Codec
+    from armui.protocol.layout import SignalLayout
     from armui.session.exports.history import History, Samples, TimeSpan
 
 TIME_BASE: Final = "JointFeedback56"
@@ -45,11 +46,6 @@ class ExportColumn:
     signals: tuple[str, ...]
     factor: float = 1.0
 
-    @property
-    def title(self) -> str:
-        """The name and unit, for a header."""
-        return f"{self.name} [{self.unit}]" if self.unit else self.name
-
     def values(self, samples: Samples) -> NDArray[Any]:
         """Return the values of all samples: int64 if they are whole, else float64."""
         if len(self.signals) > 1:
@@ -58,6 +54,11 @@ class ExportColumn:
         if self.whole:
             return column
         return column.astype(np.float64) * self.factor
+
+
+def titled(column: ExportColumn | SignalLayout) -> str:
+    """Return the name and unit of a column or signal, for a header."""
+    return f"{column.name} [{column.unit}]" if column.unit else column.name
 
 
 @dataclass(frozen=True)

@@ -146,11 +146,8 @@ class ReferenceDialog(ArmDialog):
         self.body.addWidget(card, 1)
         self.body.addWidget(self._message)
         self._close = CloseButton(self)
-        fill(
-            self.footer,
-            *(self.begin_button, self.teach_button, self.allow_button, STRETCH),
-            *(self.back_button, self._close),
-        )
+        fill(self.footer, self.teach_button, self.allow_button, STRETCH)
+        fill(self.footer, self.begin_button, self.back_button, self._close)
 
     def _connect(self) -> None:
         self.off_field.value_edited.connect(self._show)

@@ -198,7 +198,7 @@ class PointsModel(TableModel):
             self.tr("Motion\n({point})").format(point=point),
             *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
             *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
-            self.tr("Middle pose"),
+            self.tr("Middle\npose"),
             self.tr("Speed"),
             self.tr("Dwell"),
             self.tr("Gripper"),

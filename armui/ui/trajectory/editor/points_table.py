@@ -14,7 +14,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTableView
 
 from armui.arm.refusal import Refusal
@@ -53,6 +53,8 @@ _MOST_PX: Final = {
     PointColumn.LIGHT: 110,
 }
 """How wide columns become by themselves, for what stands in them."""
+_ELIDED_PX: Final = 46
+"""The least width of a middle pose where there is no room for all columns; a tooltip has it."""
 
 
 class PointsTable(QTableView):
@@ -74,6 +76,7 @@ class PointsTable(QTableView):
         self.points = model
         delegate = PointDelegate(self)
         self.setItemDelegate(delegate)
+        self._middle_px = 0
         self._note = QLabel(self.viewport())
         self._note.setObjectName("cell_problem")
         self._note.setWordWrap(True)
@@ -125,12 +128,26 @@ class PointsTable(QTableView):
     @property
     def wanted_px(self) -> int:
         """The width at which every column is in sight, also beside a scroll bar."""
-        across = self.horizontalHeader()
-        columns = (each for each in PointColumn if not across.isSectionHidden(each))
-        note_px = across.sectionSize(PointColumn.NOTE) - _WIDTHS_PX[PointColumn.NOTE]
         bar_px = self.verticalScrollBar().sizeHint().width()
-        whole_px = sum(map(across.sectionSize, columns)) - note_px
-        return whole_px + self.verticalHeader().width() + bar_px + 2 * self.frameWidth()
+        return self._columns_px + self.verticalHeader().width() + bar_px + 2 * self.frameWidth()
+
+    @property
+    def _columns_px(self) -> int:
+        """The width of all columns, with the middle poses whole."""
+        others = set(PointColumn) - {PointColumn.MIDDLE, PointColumn.NOTE}
+        return sum(map(self.columnWidth, others), self._middle_px + _WIDTHS_PX[PointColumn.NOTE])
+
+    def _fit_middle(self) -> None:
+        """Shorten the middle poses where other columns would be scrolled out of sight."""
+        over_px = max(0, self._columns_px - self.viewport().width())
+        if self._middle_px:
+            width_px = max(_ELIDED_PX, self._middle_px - over_px)
+            self.setColumnWidth(PointColumn.MIDDLE, width_px)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the middle poses to the new width."""
+        super().resizeEvent(event)
+        self._fit_middle()
 
     def _on_number_menu(self, at: QPoint) -> None:
         """Show the same actions beside a row's number, for that row."""
@@ -144,6 +161,7 @@ class PointsTable(QTableView):
 
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
+        self._middle_px = _WIDTHS_PX[PointColumn.MIDDLE] if wanted else 0
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
@@ -151,8 +169,11 @@ class PointsTable(QTableView):
         """Widen columns for what stands in them."""
         for column, most_px in _MOST_PX.items():
             wanted_px = min(self.sizeHintForColumn(column), most_px)
-            if wanted_px > self.columnWidth(column):
+            if column is PointColumn.MIDDLE:
+                self._middle_px = self._middle_px and max(self._middle_px, wanted_px)
+            elif wanted_px > self.columnWidth(column):
                 self.setColumnWidth(column, wanted_px)
+        self._fit_middle()
 
     def drop_figures(self) -> bool:
         """Close a pose that is being typed, untaken; return whether there was one."""

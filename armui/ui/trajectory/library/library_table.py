@@ -22,8 +22,9 @@ _WIDTHS_PX: Final = {
     LibraryColumn.LENGTH: 76,
     LibraryColumn.MODIFIED: 124,
     LibraryColumn.CHECK: 82,
+    LibraryColumn.NOTE: 60,
 }
-"""The widths of all columns but the note, which takes the rest."""
+"""The widths of all columns; the note takes the rest, too."""
 
 
 class LibraryTable(QTableView):

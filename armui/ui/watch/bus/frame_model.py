@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any, Final
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, Qt
 from PySide6.QtCore import QCoreApplication as App
 
-from armui.control.safety.hand_frame import command_id
 from armui.protocol.codec import Codec, InvalidFrame, Message
 from armui.protocol.frame import Frame, FrameFlag
+from armui.protocol.motion_frames import command_id
 from armui.telemetry.bus_errors import errors_of
 from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_statistics import Cycle, FrameRow

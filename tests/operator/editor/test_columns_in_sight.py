@@ -1,0 +1,43 @@
+"""At 1280×800 what matters is in sight in the tables of the library and the editor."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+
+from armui.protocol.codes import MoveMode
+from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import Waypoint
+from armui.ui.trajectory.library.library_page import LibraryPage
+from tests.operator.editor.actions import Editor
+
+POSE = (243.125, -120.25, 300.5, -170.123, 140.25, -160.5)
+ARC = Waypoint(MoveMode.MOVE_C, POSE, middle=POSE)
+BEGIN = replace(ARC, move=MoveMode.MOVE_P, middle=None)
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize("language", ["zh", "en"])
+def test_middle_poses_give_way_to_the_figures_of_a_point(app_driver, language):
+    app_driver.store.change(language=language)
+    app_driver.window.resize(1280, 800)
+    editor = Editor(app_driver, BEGIN, ARC, ARC)
+    app_driver.run(0.2)
+    table = editor.table
+    gripper = table.visualRect(table.model().index(1, PointColumn.GRIPPER))
+    assert table.viewport().rect().contains(gripper), "in sight without a scroll"
+    whole = table.model().index(1, PointColumn.MIDDLE).data(Qt.ItemDataRole.ToolTipRole)
+    assert all(f"{value:g}" in whole for value in POSE)
+    narrow_px = table.columnWidth(PointColumn.MIDDLE)
+    app_driver.window.resize(1920, 1000)
+    app_driver.run(0.2)
+    assert table.horizontalScrollBar().maximum() == 0
+    assert table.columnWidth(PointColumn.MIDDLE) > narrow_px
+
+
+@pytest.mark.styled
+def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
+    app_driver.window.resize(1280, 800)
+    app_driver.click("library_button")
+    app_driver.run(0.2)
+    assert app_driver.page(LibraryPage)._table.horizontalScrollBar().maximum() == 0
