@@ -17,8 +17,6 @@ from armui.ui.guide.text import FOLDER, GuideSection
 from armui.ui.theme import colors_of
 
 _SIDE_PX: Final = 48
-_LOW_PX: Final = 320
-"""The height below which, as in the drawer, pictures leave half of the page to the text."""
 _SETTLED_MS: Final = 150
 _NOTHING: Final = QImage()
 
@@ -96,12 +94,10 @@ class GuideBrowser(QTextBrowser):
         self.verticalScrollBar().setValue(at)
 
     def _fit(self, picture: QImage) -> QImage:
-        """Return a picture no wider than the page, sharp on its screen; lower in a low page."""
+        """Return a picture no wider nor higher than the page, sharp on its screen."""
         ratio = self.devicePixelRatioF()
         page = self.viewport().size()
-        room = QSizeF(page.width() - _SIDE_PX, page.height() / 2)
-        if page.height() >= _LOW_PX:
-            room.setHeight(picture.height())
+        room = QSizeF(page.width() - _SIDE_PX, page.height())
         size = QSizeF(picture.size()).scaled(room * ratio, Qt.AspectRatioMode.KeepAspectRatio)
         if 0 < size.width() < picture.width():
             smooth = Qt.TransformationMode.SmoothTransformation
