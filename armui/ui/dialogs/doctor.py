@@ -9,7 +9,7 @@ from functools import partial
 from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QGuiApplication
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
 
 from armui.arm.device import Device
@@ -300,17 +300,11 @@ class DoctorDialog(ArmDialog):
 
     # The end ----------------------------------------------------------------------------------
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Cancel the examination."""
+    def reject(self) -> None:
+        """Cancel the examination and close, by Escape, the button or the frame."""
         self._end()
         self._adapter.end()
         self._refresh()
-        super().closeEvent(event)
-
-    def reject(self) -> None:
-        """Cancel the examination and close, by Escape."""
-        self._end()
-        self._adapter.end()
         super().reject()
 
     def _end(self) -> None:

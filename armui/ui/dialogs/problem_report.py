@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QCheckBox, QFileDialog, QListWidget, QPlainTextEdit, QWidget
 
 from armui.arm.refusal import Refusal
@@ -294,13 +293,8 @@ class ProblemReportDialog(ArmDialog):
 
     # The end ----------------------------------------------------------------------------------
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Drop what is being collected; a report that is being saved is saved."""
-        self._end()
-        super().closeEvent(event)
-
     def reject(self) -> None:
-        """Close the window at Escape, as its button does."""
+        """Close by Escape, button or frame; a report that is being saved is saved."""
         self._end()
         super().reject()
 

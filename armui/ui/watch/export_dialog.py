@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt, Signal
-from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QButtonGroup,
     QComboBox,
@@ -595,14 +594,8 @@ class ExportDialog(ArmDialog):
 
     # The end ----------------------------------------------------------------------------------
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Cancel a running export."""
-        if self._under_way is not None:
-            self._cancel()
-        super().closeEvent(event)
-
     def reject(self) -> None:
-        """Cancel a running export, and close, by Escape."""
+        """Cancel a running export, and close, by Escape or the frame."""
         if self._under_way is not None:
             self._cancel()
         super().reject()

@@ -14,7 +14,7 @@ from armui.telemetry.quantities import QUANTITIES
 from armui.ui.watch.curve_cache import CurveBook
 from armui.ui.watch.curves_item import polygon
 from armui.ui.watch.plot_layout import PlotLayout
-from armui.ui.watch.plot_pane import PlotPane, from_mime
+from armui.ui.watch.plot_pane import PlotPane, TakesQuantities
 from armui.ui.watch.time_axis import TimeStrip
 from armui.ui.watch.time_frame import TimeFrame
 from armui.ui.widgets.buttons import named
@@ -25,7 +25,7 @@ from armui.ui.widgets.translated import Translated
 if TYPE_CHECKING:
     from datetime import datetime
 
-    from PySide6.QtGui import QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
+    from PySide6.QtGui import QResizeEvent, QShowEvent
 
     from armui.telemetry.store import Telemetry
     from armui.ui.watch.curves_item import Missing
@@ -51,7 +51,7 @@ def clock_time(at: datetime) -> str:
     return f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
 
 
-class DropStrip(Translated, QLabel):
+class DropStrip(TakesQuantities, Translated, QLabel):
     """An area onto which quantities can be dropped.
 
     Signals:
@@ -72,18 +72,6 @@ class DropStrip(Translated, QLabel):
     def retranslate_ui(self) -> None:
         """Set its text in the operator's language."""
         self.setText(self.tr("Drag a quantity into a plot, or here for a plot of its own"))
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Accept quantities."""
-        if from_mime(event.mimeData())[0]:
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Emit the dropped quantities, for a plot of their own."""
-        keys, plot = from_mime(event.mimeData())
-        if keys:
-            event.acceptProposedAction()
-            self.dropped.emit(keys, plot)
 
 
 class PlotBoard(QWidget):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QDrag, QFontMetricsF, QPainter, QPolygonF
@@ -75,6 +75,26 @@ def carry_away(source: QWidget, keys: Sequence[str], plot: int | None = None) ->
     drag = QDrag(source)
     drag.setMimeData(mime_of(keys, plot))
     drag.exec(Qt.DropAction.MoveAction if plot is not None else Qt.DropAction.CopyAction)
+
+
+class TakesQuantities:
+    """A part onto which quantities can be dropped; its signal ``dropped`` tells them."""
+
+    dropped: Any
+
+    def dragEnterEvent(self, event: QDragEnterEvent | QDragMoveEvent) -> None:
+        """Accept quantities."""
+        if from_mime(event.mimeData())[0]:
+            event.acceptProposedAction()
+
+    dragMoveEvent = dragEnterEvent
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Emit the dropped quantities."""
+        keys, plot = from_mime(event.mimeData())
+        if keys:
+            event.acceptProposedAction()
+            self.dropped.emit(keys, plot)
 
 
 @dataclass(frozen=True, slots=True)
@@ -249,7 +269,7 @@ class Legend(QWidget):
             self.chosen.emit(key)
 
 
-class PlotPane(QWidget):
+class PlotPane(TakesQuantities, QWidget):
     """Draws some quantities over a given time.
 
     Args:
@@ -419,23 +439,6 @@ class PlotPane(QWidget):
         """Select the plot."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.pressed.emit()
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Accept quantities."""
-        if from_mime(event.mimeData())[0]:
-            event.acceptProposedAction()
-
-    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        """Accept quantities."""
-        if from_mime(event.mimeData())[0]:
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        """Emit the dropped quantities."""
-        keys, plot = from_mime(event.mimeData())
-        if keys:
-            event.acceptProposedAction()
-            self.dropped.emit(keys, plot)
 
     @property
     def chosen(self) -> bool:
