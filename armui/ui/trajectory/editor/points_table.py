@@ -53,7 +53,7 @@ _MOST_PX: Final = {
     PointColumn.LIGHT: 110,
 }
 """How wide columns become by themselves, for what stands in them."""
-_ELIDED_PX: Final = 46
+_ELIDED_PX: Final = 51
 """The least width of a middle pose where there is no room for all columns; a tooltip has it."""
 
 
