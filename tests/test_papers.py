@@ -23,6 +23,7 @@ PAPERS = [
     ROOT / "README.zh.md",
     ROOT / "CHANGELOG.md",
     *sorted((ROOT / "resources" / "docs").rglob("*.md")),
+    *sorted((ROOT / "resources" / "clients").rglob("*.md")),
     *sorted((ROOT / ".github").rglob("*.md")),
 ]
 NAMES = [str(paper.relative_to(ROOT)) for paper in PAPERS]

@@ -36,6 +36,7 @@ from armui.interface.messages import (
     figures,
     plain,
     refused,
+    sentences,
 )
 from armui.interface.plain_forms import WITHOUT, arguments, asks, offered, six
 from armui.protocol.codes import ArmStatusCode
@@ -282,6 +283,7 @@ class Interface(QObject):
             return INTERFACE_TAKEN(path=str(self._path))
         except OSError as error:
             return INTERFACE_NOT_OPENED(path=str(self._path), text=str(error))
+        sentences()  # read now: what is told later waits for no file
         self._server = server
         self._timer.start()
         return None
@@ -726,7 +728,9 @@ class Interface(QObject):
                 "answered": started.answer is not None,
             }
             if result is not None:
-                params["result"] = {"id": result.code, "figures": figures(result.params)}
+                text = english(sentences().get(result.code, ""), result.params)
+                told = {"id": result.code, "text": text, "figures": figures(result.params)}
+                params["result"] = told
             server.tell("operation", params, each.session)
             if ending is not None:
                 self._followed.remove(each)

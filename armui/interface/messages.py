@@ -6,9 +6,12 @@ import enum
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Final
 
 from armui.arm.refusal import Refusal
+from armui.system import paths
+from armui.system.files import read_file
 
 PROTOCOL: Final = 1
 """Counts up with each change that a client could notice."""
@@ -126,6 +129,15 @@ def english(source: str, params: Mapping[str, object]) -> str:
         return source.format_map({name: _shown(value) for name, value in params.items()})
     except (KeyError, IndexError, ValueError):
         return source  # a figure that only the window has a word for
+
+
+@cache
+def sentences() -> Mapping[str, str]:
+    """Return the program's sentences in English by their ids, read from a file the first time."""
+    found: Mapping[str, Mapping[str, str]] = json.loads(
+        read_file(paths.RESOURCES / "i18n" / "sentences.json")
+    )
+    return {**found["Refusal"], **found["Observed"], **found["Notice"]}
 
 
 def _shown(value: object) -> object:
