@@ -3,6 +3,9 @@
 import inspect
 import itertools
 import os
+import signal
+import subprocess
+import sys
 import threading
 import time
 from importlib import util
@@ -86,6 +89,16 @@ def test_what_was_not_asked_for_or_is_old_is_no_value(with_arm, script):
         return few
 
     assert with_arm(read).supply_v == armui_client.Measured()
+
+
+def test_whether_it_is_enabled_is_waited_for(with_arm, script):
+    assert with_arm(lambda arm: arm.is_enabled())
+    script.rig.powered = False
+    script.rig.run(1.5)
+    with pytest.raises(armui_client.Timeout, match="whether its motors are on"):
+        with_arm(lambda arm: arm.is_enabled(timeout_s=0.2))
+    script.meanwhile = lambda: setattr(script.rig, "powered", True)
+    assert with_arm(lambda arm: arm.is_enabled())
 
 
 def test_an_unknown_field_is_invalid(with_arm):
@@ -208,8 +221,8 @@ MOVES = {
 }
 RISE_MM = {"move_line": -20.0, "move_pose": 20.0, "step_tool": 15.0}
 ELSEWHERE = {
-    "call", "close", "events", "fk", "gripper_angle", "halt", "ik", "lease", "operations", "state",
-    "stop", "subscribe",
+    "call", "close", "events", "fk", "gripper_angle", "halt", "ik", "is_enabled", "lease",
+    "operations", "state", "stop", "subscribe",
 }  # fmt: skip
 """Methods that other tests call."""
 
@@ -284,6 +297,22 @@ def test_a_motion_ended_by_another_one_has_failed(with_lease, script):
     assert found.value.state == "cut_off"
     assert found.value.reason
     assert str(found.value).startswith("Did not reach its end")
+
+
+def test_that_the_lease_has_ended_may_be_told_after_the_motion_s_end(with_arm):
+    def ask(arm):
+        connection = arm._connection
+        begun = armui_client.Operation(connection, "motion.home", 10**6, lease=10**6)
+        cut_off = {"number": begun.number, "state": "cut_off"}
+        ended = {"reason": "lease_stopped", "text": "Halted.", "figures": {}}
+        lease = {"lease": begun.number, "state": "ended", "reason": ended}
+        connection._take({"method": "operation", "params": cut_off})
+        later = threading.Timer(0.05, connection._take, [{"method": "lease", "params": lease}])
+        later.start()
+        begun.wait()
+
+    with pytest.raises(armui_client.LeaseLost, match="Halted"):
+        with_arm(ask)
 
 
 def test_arrays_and_tuples_are_six_numbers(with_lease):
@@ -481,6 +510,35 @@ def test_an_interrupt_halts_and_gives_back(kind, with_lease, script):
     assert [event.params["reason"].code for event in ended] == [halted]
 
 
+FAR_AWAY = """
+import armui_client
+with armui_client.connect("far") as arm, arm.lease("far"):
+    arm.move_joints([120, 0, 0, 0, 0, 0])
+"""
+
+
+@pytest.mark.parametrize(
+    ("number", "reason"), [(signal.SIGINT, "lease_stopped"), (signal.SIGKILL, "lease_client_gone")]
+)
+def test_a_script_that_is_interrupted_or_killed_leaves_a_halted_arm(number, reason, script):
+    environment = {**os.environ, "PYTHONPATH": str(HERE)}
+    words = [sys.executable, "-c", FAR_AWAY]
+
+    def meanwhile():
+        if process.poll() is None and script.rig.firmware.joints_deg[0] > 10.0:
+            process.send_signal(number)
+
+    with subprocess.Popen(words, env=environment, stderr=subprocess.PIPE, text=True) as process:
+        script.meanwhile = meanwhile
+        _, told = script.run(lambda: process.communicate(timeout=30.0))
+    script.rig.run(1.0)
+    assert number is signal.SIGKILL or told.rstrip().endswith("KeyboardInterrupt")
+    assert script.rig.firmware.joints_deg[0] < 100.0
+    assert not script.rig.controller.operating_state.moving
+    ended = [event for event in script.rig.events if event.code == "lease_ended"]
+    assert [event.params["reason"].code for event in ended] == [reason]
+
+
 def test_an_interrupt_in_the_middle_of_a_line_does_not_swallow_the_halt(with_lease, script):
     class Torn:
         """The socket, interrupted once in the middle of what it sends."""
@@ -488,7 +546,13 @@ def test_an_interrupt_in_the_middle_of_a_line_does_not_swallow_the_halt(with_lea
         def __init__(self, whole):
             self.whole = whole
 
+        def __getattr__(self, name):
+            return getattr(self.whole, name)
+
         def sendall(self, line):
+            if threading.current_thread().name == "armui-client":  # is never interrupted
+                self.whole.sendall(line)
+                return
             connection._socket = self.whole
             self.whole.sendall(line[: len(line) // 2])
             raise KeyboardInterrupt
@@ -509,8 +573,7 @@ def test_an_interrupt_in_the_middle_of_a_line_does_not_swallow_the_halt(with_lea
     with pytest.raises(KeyboardInterrupt):
         with_lease(ask)
     ended = [event for event in script.rig.events if event.code == "lease_ended"]
-    # the line may have been the heartbeat's: then its thread ends, and the connection with it
-    assert ended[0].params["reason"].code in {"lease_stopped", "lease_client_gone"}
+    assert [event.params["reason"].code for event in ended] == ["lease_stopped"]
     script.rig.run(1.0)
     assert script.rig.firmware.joints_deg[0] < 100.0
 

@@ -5,18 +5,20 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final, cast
 
 from armui_client.connection import ANSWER_S, PROTOCOL, Connection, socket_path
-from armui_client.errors import ArmuiError, Invalid
+from armui_client.errors import ArmuiError, Invalid, Stale, Timeout
 from armui_client.lease import OPERATOR_S, Lease
 from armui_client.operation import MOTION_S, Operation
 from armui_client.stream import Stream
 from armui_client.values import Event, Offered, Six, State, as_six, fields_of, six, state_of
 
+_AGAIN_S: Final = 0.05
 _WITHOUT_LEASE: Final = frozenset(
     {
         "events.subscribe",
@@ -89,6 +91,19 @@ class Arm:
             fields: Names of fields of :class:`State`; all by default.
         """
         return state_of(self._ask("state.get", fields_of(fields)))
+
+    def is_enabled(self, timeout_s: float = ANSWER_S) -> bool:
+        """Return whether all six motors are on, once the arm has told so within the last second.
+
+        Raises:
+            Timeout: It has not.
+        """
+        until_s = time.monotonic() + timeout_s
+        while time.monotonic() <= until_s:
+            with contextlib.suppress(Stale):
+                return all(self.state(["enabled"]).enabled.get(max_age_s=1.0))
+            time.sleep(_AGAIN_S)
+        raise Timeout(f"The arm has not told whether its motors are on within {timeout_s:g} s.")
 
     def subscribe(
         self,

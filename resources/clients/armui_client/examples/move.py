@@ -9,7 +9,7 @@ def main() -> None:
         armui_client.connect("move.py") as arm,
         arm.lease("there and back", max_speed_percent=30),
     ):
-        if not all(arm.state().enabled.get(max_age_s=5.0)):
+        if not arm.is_enabled():
             arm.enable()
         arm.set_speed(30)
         arm.move_joints([0, 30, -40, 0, 20, 0])

@@ -20,7 +20,7 @@ def main() -> None:
         armui_client.connect("pick_and_place.py") as arm,
         arm.lease("pick and place", max_speed_percent=50),
     ):
-        if not all(arm.state().enabled.get(max_age_s=5.0)):
+        if not arm.is_enabled():
             arm.enable()
         for pose_mm_deg, opening_mm in ((PICK_MM_DEG, CLOSED_MM), (PLACE_MM_DEG, OPEN_MM)):
             if opening_mm == CLOSED_MM:

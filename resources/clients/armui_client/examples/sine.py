@@ -17,7 +17,7 @@ def main() -> None:
         armui_client.connect("sine.py") as arm,
         arm.lease("a sine on all joints", max_speed_percent=50),
     ):
-        if not all(arm.state().enabled.get(max_age_s=5.0)):
+        if not arm.is_enabled():
             arm.enable()
         arm.move_joints(START_DEG)
         with arm.stream(rate_hz=RATE_HZ) as stream:

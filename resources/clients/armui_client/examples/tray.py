@@ -37,7 +37,7 @@ def main() -> None:
         armui_client.connect("tray.py") as arm,
         arm.lease("a tray", max_speed_percent=50),
     ):
-        if not all(arm.state().enabled.get(max_age_s=5.0)):
+        if not arm.is_enabled():
             arm.enable()
         for number, place_mm in enumerate(places(), start=1):
             print(f"Place {number}: {visit(arm, place_mm)}")
