@@ -15,7 +15,7 @@ import pytest
 
 import armui_client
 from armui.interface import lease as leases
-from armui.interface.interface import METHODS
+from armui.interface.openrpc import METHODS
 from armui.interface.state_report import FIELDS
 from armui.kinematics.poses import Pose
 from armui.system import paths
