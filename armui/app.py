@@ -33,12 +33,14 @@ from armui.control.operating_state import OperatingState
 from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
+from armui.interface.interface import Interface
 from armui.protocol.generation import PiperModel
 from armui.setting_fields import Settings
 from armui.settings import SettingsStore, default_path
 from armui.simulated_arms import SIMULATED, SimulatedArms
 from armui.start import StartOptions
 from armui.system import failures, paths
+from armui.system.clock import steady_s
 from armui.system.exact_timers import keep_timers
 from armui.system.failures import Failure, FailureHandler
 from armui.system.helper_process import FileThread, HelperProcess
@@ -194,9 +196,11 @@ class Program:
         events: The folder of the event log; by default none.
         hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
+        clock: Monotonic time in seconds, the controller's.
+        socket: That of the local interface; the user's own by default.
 
     Attributes:
-        controller, view, window: Its main objects.
+        controller, view, window, interface: Its main objects.
         ended: True if, after `shutdown`, no thread of ours runs any more.
         closed: Set when the device is closed, as far as its driver lets it.
     """
@@ -214,6 +218,8 @@ class Program:
         files: Executor | None = None,
         events: Path | None = None,
         hand: Callable[[], HandGuide | None] = lambda: None,
+        clock: Callable[[], float] = steady_s,
+        socket: Path | None = None,
     ) -> None:
         self._app = app
         self._store = store
@@ -222,15 +228,17 @@ class Program:
         self._translator.set_language(settings.language)
         apply_theme(app, Theme(settings.theme), before_windows=True)
         self.controller = controller
-        self.ended = False
+        self.ended = self._is_down = False
         self.closed = threading.Event()
-        self._is_down = False
-        self._workers = workers
-        self._files = files
+        self._workers, self._files = workers, files
         urdf = Path(settings.urdf_path) if settings.urdf_path else None
         self.view = ArmView(urdf, client=pictures)
+        self.interface = Interface(controller, socket or paths.runtime() / "api.sock", clock)
         self.window = MainWindow(
-            self.controller, self.view, store, workers, trajectories, files=files, hand=hand
+            *(self.controller, self.view, store, workers, trajectories),
+            files=files,
+            hand=hand,
+            interface=self.interface,
         )
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller, self.window)
@@ -267,6 +275,7 @@ class Program:
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
         # Begun by the event loop, once the window stands.
+        QTimer.singleShot(0, self._relay, self._switch_interface)
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
             QTimer.singleShot(0, self._relay, keep)
@@ -305,6 +314,10 @@ class Program:
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
 
+    def _switch_interface(self) -> None:
+        if not self._is_down:
+            self.interface.switch(on=self._store.settings.interface)
+
     def _meet(self, settings: Path, place: Path) -> None:
         self._instances = InstanceRegistry(self.controller, settings, place)
 
@@ -321,7 +334,8 @@ class Program:
             logging.getLogger(name).removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
-        self.ended = self.controller.shutdown()
+        served_no_more = self.interface.end()
+        self.ended = self.controller.shutdown() and served_no_more
         self.closed.set()
         if self._event_keeper is not None:
             self._event_keeper.close()
@@ -363,6 +377,7 @@ class Program:
         self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
         self.controller.cell.use_own_tool(settings.tool)
         self.controller.on_sessions_chosen()
+        self.interface.switch(on=settings.interface)
         self._settings = settings
 
 
@@ -413,7 +428,9 @@ def _run(options: StartOptions) -> int:
     QApplication.setDesktopFileName("org.armui.armui")
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
-    chosen = {} if options.language is None else {"language": options.language}
+    chosen: dict[str, object] = {"interface": True} if options.api_on else {}
+    if options.language is not None:
+        chosen["language"] = options.language
     spoken = language_of_system(interface=QLocale.system().uiLanguages())
     store = SettingsStore(default_path(), for_this_run=chosen, first={"language": spoken})
     arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)

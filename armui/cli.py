@@ -148,6 +148,7 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
             replay=log,
             file=file,
             language=options.lang,
+            api_on=getattr(options, "api_on", False),
         )
     )
 
@@ -223,6 +224,11 @@ def _parser() -> CommandParser:
         "--model",
         choices=("piper", "piper_h", "piper_l", "piper_x"),
         help="which arm it is (the one chosen for it the last time)",
+    )
+    parser.add_argument(
+        "--api-on",
+        action="store_true",
+        help="serve the local interface for your scripts in this run; you grant what moves the arm",
     )
     simulated = parser.add_argument_group("the simulated arm")
     simulated.add_argument("--sim", action="store_true", help="connect to it")

@@ -178,6 +178,16 @@ class Settings:
     ] = field(default_factory=dict)
     """The operator's own assignments of its buttons, by device."""
 
+    interface: Annotated[
+        bool,
+        Setting(
+            "Local interface",
+            tip="Scripts and other programs of yours may read the arm, and ask you for it. Other "
+            "users of this computer and other computers cannot.",
+        ),
+    ] = False
+    """True if the local interface is served."""
+
     models: Annotated[
         Mapping[str, str], Setting("Models of the arms", OfEach(AnyOf(tuple(PiperModel))))
     ] = field(default_factory=dict)

@@ -21,6 +21,7 @@ class StartOptions:
         replay: The log to show in the window 回放.
         file: The trajectory to open in an editor.
         language: The language of this run, instead of the one in the settings.
+        api_on: True to serve the local interface in this run, whatever the settings say.
     """
 
     sim_generation: int | None = None
@@ -33,3 +34,4 @@ class StartOptions:
     replay: Path | None = None
     file: Path | None = None
     language: Language | None = None
+    api_on: bool = False

@@ -177,6 +177,8 @@ class AppDriver(ArmRig):
                 files=files or AtOnce(),
                 pictures=pictures,
                 hand=lambda: self.hand,
+                clock=lambda: self.time_s,
+                socket=settings.parent / "r" / "api.sock",
             )
         self.window = self.program.window
         self.window.resize(1280, 800)

@@ -127,11 +127,15 @@ class Consented:
         client: Whose it is.
         operation: The id of the operation.
         title: Its title in English.
+        arguments: What it is called with.
+        since_s: Monotonic time.
     """
 
     client: Client
     operation: str
     title: str
+    arguments: Mapping[str, object]
+    since_s: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -251,16 +255,18 @@ class Interface(QObject):
         """What the window shows now."""
         return self._view
 
+    def seconds_since(self, at_s: float) -> float:
+        """Return how long ago a monotonic time was."""
+        return self._clock() - at_s
+
     # By the operator --------------------------------------------------------------------------
 
     def switch(self, *, on: bool) -> None:
         """Serve the socket, or close it and end every lease."""
-        if on is (self._server is not None):
-            return
-        if on:
-            self._problem = self._open()
-        else:
+        if not on:
             self._close()
+        elif self._server is None:
+            self._problem = self._open()
         self._show()
 
     def _open(self) -> Refusal | None:
@@ -566,7 +572,9 @@ class Interface(QObject):
             if self._consent is not None:
                 raise refused(CONSENT_BUSY())
             waiting.bound = bound
-            waiting.told = Consented(client, operation.id, operation.title)
+            given = {name: each for name, each in waiting.call.params.items() if name != "lease"}
+            told = Consented(client, operation.id, operation.title, given, waiting.since_s)
+            waiting.told = told
             self._consent = waiting
             return None
         self._begin(waiting.session, waiting.call, bound)

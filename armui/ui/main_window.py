@@ -20,6 +20,9 @@ from armui.ui.actions.operator_view import set_operator_view
 from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
+from armui.ui.interface.client_question import ClientQuestions
+from armui.ui.interface.interface_mark import InterfaceMark
+from armui.ui.interface.lease_bar import LeaseBar
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
 from armui.ui.shell.drawer import Drawer
@@ -69,6 +72,7 @@ if TYPE_CHECKING:
 
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
+    from armui.interface.interface import Interface
     from armui.setting_fields import Settings
     from armui.settings import SettingsStore
     from armui.system.failures import Failure
@@ -90,6 +94,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         trajectories: The folder of the library; the user's own by default.
         hand: Gives access to the hand at the simulated arm of this program; by default
             none.
+        interface: The local interface.
 
     Attributes:
         window_actions: Opens the command palette, and collects its commands.
@@ -107,9 +112,11 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         *,
         files: Executor | None = None,
         hand: Callable[[], HandGuide | None] = lambda: None,
+        interface: Interface,
     ) -> None:
         super().__init__()
         self._controller = controller
+        self._interface = interface
         self._view = view
         self._preferences = preferences
         self._settings = preferences.settings
@@ -163,10 +170,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             files=files or workers,
             leave_arm_then=self._leave_arm_then,
             hand=hand,
+            interface=interface,
         )
         self.pages.show_marks_in(self._status_bar)
         self.window_actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self._opening("connect")))
+        self._status_bar.add_mark(InterfaceMark(interface, self._opening("interface")))
+        self._questions = ClientQuestions(interface, controller, self)
         self.page_actions = PageActions(self, self._workspace, self.pages, self._drawer)
         self._status_bar.add_mark(self.window_actions.language_button)
         self._status_bar.add_mark(self.window_actions.button)
@@ -216,12 +226,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
             },
             lock=lambda: self._lock(wanted=True),
         )
+        lease = LeaseBar(self._interface, self._controller)
         parts = (top, self.window_actions, watch_menu, self._foot, self._picture.bar)
-        self._offer((*parts, self._preview_bar, self._menu))
+        self._offer((*parts, self._preview_bar, self._menu, lease))
         gamepad = GamepadStrip(self._controller, self._preferences)
         work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
         middle = (in_row(self._menu, (work, 1), spacing=0), 1)
-        in_column(top, middle, self._status_bar, on=self, spacing=0, margins=0)
+        in_column(top, lease, middle, self._status_bar, on=self, spacing=0, margins=0)
         self.setFocus()  # no control has the focus before the operator chooses one
 
     def _offer(self, parts: Iterable[Offering]) -> None:

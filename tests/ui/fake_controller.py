@@ -43,6 +43,8 @@ class FakeController(QObject):
     devices_found = Signal(object)
     searching_changed = Signal(bool)
     cell_changed = Signal(object)
+    operation_begun = Signal(str)
+    all_motion_ended = Signal()
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,5 +1,6 @@
 """The window as a whole: wiring, settings, language, closing."""
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from armui.arm.models import robot_description
 from armui.arm.state import ArmState
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
+from armui.interface.interface import Interface
 from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -109,8 +111,13 @@ def view():
 
 
 @pytest.fixture
-def window(qtbot, controller, view, store):
-    window = MainWindow(controller, view, store, AtOnce())
+def interface(controller, tmp_path):
+    return Interface(controller, tmp_path / "api.sock", time.monotonic)
+
+
+@pytest.fixture
+def window(qtbot, controller, view, store, interface):
+    window = MainWindow(controller, view, store, AtOnce(), interface=interface)
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     window.resize(1280, 800)
     window.show()
@@ -181,10 +188,10 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
     assert view.joints[0] == (9.0,) * 6
 
 
-def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store):
+def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store, interface):
     store.change(picture_direction="side", picture_orthographic=True, picture_tool_frame=False)
     view: Any = FakeView()
-    window = MainWindow(controller, view, store, AtOnce())
+    window = MainWindow(controller, view, store, AtOnce(), interface=interface)
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     assert view.looked_from == [ViewDirection.SIDE]
     assert (view.orthographic, view.tool_frame) == (True, False)

@@ -24,7 +24,14 @@ _LEFT: Final = (
 are taken away.
 """
 _TAKEN: Final = (
-    *("window.settings", "settings.*", "window.backup", "*_backup_button", "editor.*"),
+    *(
+        "window.settings",
+        "settings.*",
+        "interface.switch",
+        "window.backup",
+        "*_backup_button",
+        "editor.*",
+    ),
     *("motion.set_own_home*", "cell.compare", "cell.frame_by_points", "cell.tool_by_points"),
     *("library.import", "library.create", "library.delete", "library.duplicate", "library.move"),
     *("library.rename", "library.by_columns", "library.undo", "library.bin", "bin_back"),

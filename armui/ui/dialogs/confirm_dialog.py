@@ -29,6 +29,15 @@ _SIGN_PX: Final = 36
 _TEXT_WIDTH_PX: Final = 520
 
 
+def below(controller: ArmController) -> str:
+    """Return what of the work area is below an arm that sinks, as a line of its own, or ""."""
+    names = controller.area_guard.below()
+    said = QCoreApplication.translate(
+        "ConfirmDialog", "The work area does not hold it then: below the arm is {names}."
+    )
+    return f"\n{said.format(names=names)}" if names else ""
+
+
 def confirm(
     parent: QWidget,
     controller: ArmController,
@@ -63,12 +72,8 @@ def confirm(
     Returns:
         The open question; it deletes itself once answered.
     """
-    below = controller.area_guard.below() if sinks else ""
-    if below:
-        said = QCoreApplication.translate(
-            "ConfirmDialog", "The work area does not hold it then: below the arm is {names}."
-        )
-        text = f"{text}\n{said.format(names=below)}"
+    if sinks:
+        text += below(controller)
     for older in parent.findChildren(ConfirmDialog):
         if older.windowTitle() == title:
             older.reject()

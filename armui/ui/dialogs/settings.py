@@ -142,6 +142,8 @@ class SettingsDialog(ArmDialog):
         self._gamepad_label, self._gamepad_state = QLabel(), ElidedLabel()
         self.gamepad_button = push_button("gamepad_button", on_enter=False)
         self._gamepad_dialog: GamepadDialog | None = None
+        self._interface_label, self._interface_state = QLabel(), ElidedLabel()
+        self.interface_button = push_button("interface_button", on_enter=False)
         for code, name in _LANGUAGES:
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
@@ -160,10 +162,13 @@ class SettingsDialog(ArmDialog):
         _add_row(grid, self._urdf_label, self._urdf_name)
         row = in_row(self.browse_button, self.built_in_button, STRETCH, spacing=8)
         grid.addLayout(row, grid.rowCount(), 1)
-        place = grid.rowCount()
-        grid.addWidget(self._gamepad_label, place, 0)
-        row = in_row(self.gamepad_button, (self._gamepad_state, 1), spacing=12)
-        grid.addLayout(row, place, 1)
+        for label, button, state in (
+            (self._gamepad_label, self.gamepad_button, self._gamepad_state),
+            (self._interface_label, self.interface_button, self._interface_state),
+        ):
+            place = grid.rowCount()
+            grid.addWidget(label, place, 0)
+            grid.addLayout(in_row(button, (state, 1), spacing=12), place, 1)
         for box in self._boxes.values():
             grid.addWidget(box, grid.rowCount(), 1)
         self._message = MessageLine()
@@ -192,6 +197,8 @@ class SettingsDialog(ArmDialog):
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self._gamepad_label.setText(self.tr("Gamepad, SpaceMouse"))
         caption(self.gamepad_button, self.tr("Gamepad…"))
+        self._interface_label.setText(setting_label("interface").text())
+        caption(self.interface_button, self.tr("Local interface…"))
         self.diagnosis_button.setText(self.tr("Diagnosis…"))
         self.about_arm_button.setText(self.tr("About this arm…"))
         self.about_button.setText(self.tr("About armui…"))
@@ -234,6 +241,8 @@ class SettingsDialog(ArmDialog):
         self._urdf_name.show_text(now.urdf_path or built_in_name)
         on, off = self.tr("On: jogs the arm"), self.tr("Off")
         self._gamepad_state.show_text(on if now.gamepad else off)
+        on = self.tr("On: for your scripts")
+        self._interface_state.show_text(on if now.interface else off)
         built_in = now.urdf_path is None
         self.built_in_button.setEnabled(not built_in)
         tip = self.tr("The built-in robot description is in use.") if built_in else ""

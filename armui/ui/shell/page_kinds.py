@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.simulated_faults import FaultsDialog
     from armui.ui.guide.guide_page import GuidePage
     from armui.ui.guide.help_page import HelpPage
+    from armui.ui.interface.interface_dialog import InterfaceDialog
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.recording.recording_page import RecordingPage
@@ -132,6 +133,13 @@ def settings_dialog() -> type[SettingsDialog]:
     from armui.ui.dialogs.settings import SettingsDialog  # noqa: PLC0415 - for its window
 
     return SettingsDialog
+
+
+def interface_dialog() -> type[InterfaceDialog]:
+    """Return the class of the window 本地接口."""
+    from armui.ui.interface.interface_dialog import InterfaceDialog  # noqa: PLC0415 - its window
+
+    return InterfaceDialog
 
 
 def faults_dialog() -> type[FaultsDialog]:

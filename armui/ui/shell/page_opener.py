@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.devices.joint_monitor import JointMonitor
     from armui.control.events import Event
+    from armui.interface.interface import Interface
     from armui.settings import SettingsStore
     from armui.ui.dialogs.base import ArmDialog
     from armui.ui.dialogs.connect import Leaving
@@ -62,6 +63,7 @@ class PageOpener(QObject):
         files: Runs work that waits for the operating system.
         leave_arm_then: Leaves the arm; what is not saved asks first.
         hand: Gives access to the hand at the simulated arm of this program.
+        interface: The local interface.
 
     Attributes:
         online: The time since when the arm is heard.
@@ -84,6 +86,7 @@ class PageOpener(QObject):
         files: Executor,
         leave_arm_then: Leaving,
         hand: Callable[[], HandGuide | None],
+        interface: Interface,
     ) -> None:
         super().__init__(window)
         self.window: QWidget = window
@@ -95,6 +98,7 @@ class PageOpener(QObject):
         self.trajectories: TrajectoryPages = trajectories
         self.leave_arm_then: Leaving = leave_arm_then
         self.hand: Callable[[], HandGuide | None] = hand
+        self.interface: Interface = interface
         self._pages = pages
         self.online = OnlineSince(controller, window)
         self._workspace, self._drawer, self._files = workspace, drawer, files

@@ -26,6 +26,7 @@ from armui.ui.shell.page_kinds import (
     guide_page,
     help_page,
     inspection_dialog,
+    interface_dialog,
     joint_status_page,
     library_page,
     plot_page,
@@ -36,6 +37,7 @@ from armui.ui.shell.page_kinds import (
     sessions_page,
     settings_dialog,
 )
+from armui.ui.words.settings import setting_label
 from armui.ui.words.text import Text
 from armui.viewport.view import ArmView
 
@@ -107,6 +109,7 @@ def _new_settings(pages: PageOpener) -> SettingsDialog:
     dialog.diagnosis_wanted.connect(pages.open_doctor)
     dialog.about_arm_wanted.connect(lambda: pages.show("about_arm"))
     dialog.about_wanted.connect(lambda: pages.show("about"))
+    dialog.interface_button.clicked.connect(lambda: pages.show("interface"))
     dialog.faults_button.clicked.connect(lambda: pages.show("simulated"))
     return dialog
 
@@ -223,6 +226,9 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         Text("ConnectDialog", "Connect arm"), Home.WINDOW, connect_dialog, _new_connect),
     "settings": PageEntry(
         Text("SettingsDialog", "Settings"), Home.WINDOW, settings_dialog, _new_settings),
+    "interface": PageEntry(
+        setting_label("interface"), Home.WINDOW, interface_dialog,
+        lambda it: interface_dialog()(it.interface, it.preferences, it.controller, it.window)),
     "doctor": PageEntry(
         Text("DoctorDialog", "Diagnosis"), Home.WINDOW, doctor_dialog, _new_doctor,
         command=Command("window.diagnosis", Text("DoctorDialog", "Diagnosis"),

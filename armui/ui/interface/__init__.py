@@ -1,0 +1,1 @@
+"""What the operator sees of the local interface, and what he grants."""
