@@ -77,6 +77,7 @@ def test_a_change_is_there_in_the_next_run(path: Path) -> None:
         "gamepad_mode": "joint",
         "gamepad_one_axis": True,
         "gamepad_buttons": {},
+        "interface": False,
         "models": {},
         "references": {},
         "cells": {},

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QLabel, QRadioButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QApplication, QButtonGroup, QLabel, QSpinBox, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.control.safety.recovery_steps import Action
@@ -15,7 +15,7 @@ from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
 from armui.ui.dialogs.base import place
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog, below
-from armui.ui.widgets.buttons import caption, named
+from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
@@ -186,14 +186,17 @@ class GrantDialog(ClientQuestion):
         self.limit.setFixedWidth(_FIELD_PX)
         self.limit.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.limit.setValue(min(ask.max_speed_percent, controller.motion.speed_percent))
-        self.once = named("grant_once", QRadioButton())
-        self.lasting = named("grant_for_connection", QRadioButton())
+        self.once = choice_button("grant_once")
+        self.lasting = choice_button("grant_for_connection")
+        self._choice = QButtonGroup(self)
+        for button in (self.once, self.lasting):
+            self._choice.addButton(button)
         self.once.setChecked(True)
         self._limit_label.setBuddy(self.limit)
         grid = empty_grid(gaps=(12, 10))
         grid.addWidget(self._limit_label, 0, 0)
         grid.addLayout(in_row(self.limit, STRETCH), 0, 1)
-        grid.addLayout(in_row(self.once, self.lasting, STRETCH, spacing=16), 1, 0, 1, 2)
+        grid.addLayout(in_row(self.once, self.lasting, STRETCH, spacing=8), 1, 0, 1, 2)
         for each in (self._limit_label, self.limit, self.once, self.lasting):
             each.setVisible(ask.moves)  # what moves nothing is granted once, at no speed
         fill(self.body, grid, self._seconds)

@@ -82,6 +82,7 @@ class InterfaceDialog(ArmDialog):
         self._grants_label, self.grants = QLabel(), named("interface_grants", QListWidget())
         for shown in (self.clients, self.grants):
             shown.setWordWrap(True)
+            shown.setTextElideMode(Qt.TextElideMode.ElideNone)
             shown.setResizeMode(QListWidget.ResizeMode.Adjust)
             shown.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._message = named("interface_message", MessageLine(keeps_room=False))

@@ -49,6 +49,7 @@ class LeaseBar(HasActs, Translated, QWidget):
         key="interface.take_back",
         title=Text("LeaseBar", "Take the arm back from a program"),
         tip="Ends what the program does: the arm comes to rest with power on.",
+        primary=True,
         synonyms=also("revoke lease script api 租约 授权 脚本 接口"),
     )
 
