@@ -6,9 +6,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from armui import app, cli
 from armui.control.operating_state import StopState
 from armui.interface.interface import Interface
 from armui.interface.lease import GRANT_WITHIN_S, SILENT_S
+from armui.start import StartOptions
 from armui.ui.actions.operator_view import set_operator_view
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.interface.client_question import ClientQuestion, ConsentDialog, GrantDialog
@@ -443,3 +445,19 @@ def test_every_text_follows_the_language(desk, client):
     client.begin("motors.disable", lease=number)
     client.wait(lambda: desk.open)
     assert "下落" in desk.driver.dialog(ConsentDialog).text()
+    assert "失能电机" in desk.driver.read("notice_label")
+    desk.refuse(ConsentDialog)
+    desk.driver.press(desk.driver.find("jog_plus_1"))
+    desk.driver.run(0.2)
+    desk.driver.window.pages.show("interface")
+    told = desk.driver.dialog(InterfaceDialog).grants
+    assert "关节步进" in told.item(0).text()
+
+
+@pytest.mark.parametrize("words", [[], ["--api-on"]])
+def test_the_command_line_switches_it_on_for_one_run(words, monkeypatch):
+    begun: list[StartOptions] = []
+    monkeypatch.setattr(app, "run", begun.append)
+    monkeypatch.setattr(cli, "has_display", lambda: True)
+    cli.main(words)
+    assert [each.api_on for each in begun] == [bool(words)]

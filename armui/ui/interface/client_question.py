@@ -18,6 +18,7 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog, below
 from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.arm import operation_title
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -270,7 +271,7 @@ class ConsentDialog(ClientQuestion):
     def _say(self) -> tuple[str, str, str]:
         """Set the texts of its own, and return title, text and the word on the button."""
         consent = self._consent
-        operation = Text("Operation", consent.title).text()
+        operation = operation_title(consent.title)
         title = self.tr("“{client}” wants: {operation}").format(
             client=breakable(consent.client.name), operation=operation
         )

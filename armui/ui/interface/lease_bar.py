@@ -17,6 +17,7 @@ from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.arm import operation_title
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -127,7 +128,7 @@ class LeaseBar(HasActs, Translated, QWidget):
         if name in _STREAMS:
             return self.tr("streams targets")
         bound = self._controller.operations.get(name)
-        return name if bound is None else Text("Operation", bound.operation.title).text()
+        return name if bound is None else operation_title(bound.operation.title)
 
     def _recolor(self) -> None:
         leased = self._interface.view.lease is not None

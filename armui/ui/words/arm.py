@@ -23,7 +23,7 @@ from armui.protocol.codes import (
     TrajectoryCommand,
 )
 from armui.protocol.generation import Generation
-from armui.ui.words.text import Texts, sentence
+from armui.ui.words.text import Text, Texts, sentence
 
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
@@ -312,6 +312,11 @@ def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
 def figure(name: str) -> str:
     """Return the name of a figure of a command («开度»); see `armui.arm.figures`."""
     return _FIGURES.word(name)
+
+
+def operation_title(title: str) -> str:
+    """Return the title of an operation by its English one («失能电机»)."""
+    return Text("Operation", title).text()
 
 
 def joint_item(item: Item) -> str:

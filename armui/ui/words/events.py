@@ -18,6 +18,7 @@ from armui.ui.words.arm import (
     end_load,
     gripper_act,
     mounting,
+    operation_title,
     part_name,
     teaching_command,
     trajectory_command,
@@ -29,6 +30,7 @@ from armui.ui.words.text import sentence, source_of
 
 _NAMES: Final = {
     "act": gripper_act,
+    "operation": operation_title,
     "part": part_name,
     "below": what_is_below,
     "settings": setting_names,

@@ -86,6 +86,8 @@ def refusal(reason: Refusal) -> str:
         params["field"] = setting_label(str(field)).text()
     if isinstance(figure := params.get("figure"), str):
         params["figure"] = arm.figure(figure)
+    if isinstance(operation := params.get("operation"), str):
+        params["operation"] = arm.operation_title(operation)
     for name in ("part", "one", "other"):
         if isinstance(part := params.get(name), str):
             params[name] = arm.part_name(part)
