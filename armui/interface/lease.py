@@ -123,7 +123,7 @@ class Lessor:
         self.asked: Ask | None = None
         self.held: Lease | None = None
         self._heard_s = 0.0
-        self._for_session: dict[int, int] = {}
+        self._for_session: dict[int, tuple[bool, int]] = {}
 
     def ask(self, ask: Ask) -> Refusal | None:
         """Take a client's wish; return why it is refused, or ``None``: it waits, or is granted."""
@@ -131,8 +131,8 @@ class Lessor:
         if other is not None:
             return LEASE_TAKEN(client=str(other.client))
         self.asked = ask
-        known = self._for_session.get(ask.client.number)
-        if known is not None and ask.max_speed_percent <= known:
+        moves, percent = self._for_session.get(ask.client.number, (False, 0))
+        if ask.max_speed_percent <= percent and moves >= ask.moves:
             self.grant(ask.max_speed_percent, ask.since_s, for_session=True)
         return None
 
@@ -142,14 +142,15 @@ class Lessor:
         Args:
             max_speed_percent: The operator's limit.
             now_s: Monotonic time.
-            for_session: True to grant what this client asks for later, too, up to this speed.
+            for_session: True to grant what this client asks for later, too, up to this speed; one
+                granted without motions is asked about when it wants to move.
         """
         ask, self.asked = self.asked, None
         if ask is None:
             return None
         percent = min(max_speed_percent, ask.max_speed_percent)
         if for_session:
-            self._for_session[ask.client.number] = percent
+            self._for_session[ask.client.number] = ask.moves, percent
         self._heard_s = now_s
         self.held = Lease(ask, percent, now_s)
         return self.held

@@ -1640,6 +1640,21 @@
     </message>
 </context>
 <context>
+    <name>ClientQuestion</name>
+    <message>
+        <source>It is the program “{program}”, process {process}, of yours.</source>
+        <translation>来自您的程序“{program}”（进程 {process}）。</translation>
+    </message>
+    <message>
+        <source>Refused by itself in {seconds} s.</source>
+        <translation>{seconds} s 后自动拒绝。</translation>
+    </message>
+    <message>
+        <source>Refuse</source>
+        <translation>拒绝</translation>
+    </message>
+</context>
+<context>
     <name>CloseButton</name>
     <message>
         <source>Close</source>
@@ -2161,6 +2176,10 @@
     <message>
         <source>language of the windows</source>
         <translation>窗口的语言</translation>
+    </message>
+    <message>
+        <source>serve the local interface for your scripts in this run; you grant what moves the arm</source>
+        <translation>本次运行开启本地接口，供您的脚本使用；由您授予机械臂的操作</translation>
     </message>
     <message>
         <source>python-can&apos;s name of the adapter, e.g. socketcan</source>
@@ -3104,6 +3123,17 @@
     <message>
         <source>Disconnect to change it.</source>
         <translation>断开后可更改。</translation>
+    </message>
+</context>
+<context>
+    <name>ConsentDialog</name>
+    <message>
+        <source>“{client}” wants: {operation}</source>
+        <translation>“{client}”请求：{operation}</translation>
+    </message>
+    <message>
+        <source>Allow once</source>
+        <translation>允许一次</translation>
     </message>
 </context>
 <context>
@@ -5825,6 +5855,53 @@ Z 轴指向 {direction}</translation>
     </message>
 </context>
 <context>
+    <name>GrantDialog</name>
+    <message>
+        <source>“{client}” asks for the arm</source>
+        <translation>“{client}”申请操作机械臂</translation>
+    </message>
+    <message>
+        <source>It then moves the arm by itself, within every check, until you take it back. Keep clear of the arm. Stop, halt, and any motion of yours end it.</source>
+        <translation>授予后它会自行操作机械臂（仍受全部检查），直到您收回。请与机械臂保持距离。急停、停住或您自己的任何操作都会结束它。</translation>
+    </message>
+    <message>
+        <source>It wants to set something, and moves nothing.</source>
+        <translation>它只作设置，不会移动机械臂。</translation>
+    </message>
+    <message>
+        <source>Purpose: {purpose}</source>
+        <translation>用途：{purpose}</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>最高速度</translation>
+    </message>
+    <message>
+        <source>It asks for at most {percent} %. The speed at the top slows it at once.</source>
+        <translation>它申请的最高速度为 {percent} %。顶部的速度可随时使它减速。</translation>
+    </message>
+    <message>
+        <source>Once</source>
+        <translation>仅此一次</translation>
+    </message>
+    <message>
+        <source>It asks again for the next time.</source>
+        <translation>下次仍须申请。</translation>
+    </message>
+    <message>
+        <source>For this connection</source>
+        <translation>本次连接内</translation>
+    </message>
+    <message>
+        <source>Until it disconnects, or you take the arm back, it need not ask again.</source>
+        <translation>在它断开连接或您收回之前，无须再次申请。</translation>
+    </message>
+    <message>
+        <source>Grant</source>
+        <translation>授予</translation>
+    </message>
+</context>
+<context>
     <name>Gripper</name>
     <message>
         <source>mm, calibrated</source>
@@ -6734,6 +6811,48 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>InterfaceDialog</name>
+    <message>
+        <source>Serve the local interface</source>
+        <translation>开启本地接口</translation>
+    </message>
+    <message>
+        <source>Socket</source>
+        <translation>套接字</translation>
+    </message>
+    <message>
+        <source>Connected now</source>
+        <translation>当前连接</translation>
+    </message>
+    <message>
+        <source>Granted in this run</source>
+        <translation>本次运行的授予记录</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copies the path.</source>
+        <translation>复制路径。</translation>
+    </message>
+</context>
+<context>
+    <name>InterfaceMark</name>
+    <message>
+        <source>Interface: {count}</source>
+        <translation>接口：{count}</translation>
+    </message>
+    <message>
+        <source>The local interface is on; so many programs are connected.</source>
+        <translation>本地接口已开启；数字为已连接的程序数。</translation>
+    </message>
+    <message>
+        <source>Interface not served</source>
+        <translation>接口未能开启</translation>
+    </message>
+</context>
+<context>
     <name>InvalidFrame</name>
     <message>
         <source>{count} bytes instead of {wanted}</source>
@@ -7140,6 +7259,45 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Jogging is not possible now.</source>
         <translation>现在不能点动。</translation>
+    </message>
+</context>
+<context>
+    <name>LeaseBar</name>
+    <message>
+        <source>Take the arm back from a program</source>
+        <translation>从程序收回机械臂</translation>
+    </message>
+    <message>
+        <source>Local interface: no program is connected</source>
+        <translation>本地接口：没有程序连接</translation>
+    </message>
+    <message>
+        <source>Local interface: {names} connected, without the arm</source>
+        <translation>本地接口：{names} 已连接，未操作机械臂</translation>
+    </message>
+    <message>
+        <source>“{client}” has the arm</source>
+        <translation>“{client}”正在操作机械臂</translation>
+    </message>
+    <message>
+        <source>at most {percent}</source>
+        <translation>最高 {percent}</translation>
+    </message>
+    <message>
+        <source>does nothing now</source>
+        <translation>当前无动作</translation>
+    </message>
+    <message>
+        <source>streams targets</source>
+        <translation>连续发送目标</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>收回</translation>
+    </message>
+    <message>
+        <source>Ends what the program does: the arm comes to rest with power on.</source>
+        <translation>结束程序的操作：机械臂停下并保持使能。</translation>
     </message>
 </context>
 <context>
@@ -13949,6 +14107,14 @@ The other program must have ended.</source>
         <translation>手柄按键</translation>
     </message>
     <message>
+        <source>Local interface</source>
+        <translation>本地接口</translation>
+    </message>
+    <message>
+        <source>Scripts and other programs of yours may read the arm, and ask you for it. Other users of this computer and other computers cannot.</source>
+        <translation>您的脚本和其他程序可读取机械臂的状态，并向您申请操作。本机的其他用户和其他电脑不能使用。</translation>
+    </message>
+    <message>
         <source>Models of the arms</source>
         <translation>机械臂型号</translation>
     </message>
@@ -13992,6 +14158,10 @@ The other program must have ended.</source>
         <translation>使用内置模型</translation>
     </message>
     <message>
+        <source>Local interface…</source>
+        <translation>本地接口…</translation>
+    </message>
+    <message>
         <source>Diagnosis…</source>
         <translation>诊断…</translation>
     </message>
@@ -14002,6 +14172,10 @@ The other program must have ended.</source>
     <message>
         <source>Simulated faults…</source>
         <translation>模拟故障…</translation>
+    </message>
+    <message>
+        <source>On: for your scripts</source>
+        <translation>开：供您的脚本使用</translation>
     </message>
     <message>
         <source>The built-in robot description is in use.</source>

@@ -223,6 +223,16 @@ def test_granted_for_the_session_it_is_not_asked_again(client, desk):
     client.wait(lambda: desk.view.asked is not None)
 
 
+def test_granted_without_motions_for_the_session_it_is_asked_before_it_moves(client, desk):
+    asked = client.begin("lease.request", purpose="lamps", moves=False, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    desk.grant(50, for_session=True)
+    client.ask("lease.release", lease=client.answer(asked)["result"]["lease"])
+    client.begin("lease.request", purpose="moves", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    assert desk.view.lease is None
+
+
 def test_events_name_client_and_operation(leased, desk):
     leased.ask("motion.send", lease=leased.lease, angles_deg=FAR)
     told = {event.code: event.params for event in desk.rig.events}
