@@ -24,8 +24,26 @@ from armui.control.motion.target_stream import REST_S, SETTLING_S, STREAM_DEG_S,
 from armui.control.operating_state import StopState
 from armui.control.operations.operation import Consent
 from armui.control.operations.started import Started
-from armui.interface import lease as leases
-from armui.interface.lease import Ask, Client, Lease, Lessor
+from armui.interface.interface_view import Consented, InterfaceView
+from armui.interface.lease import (
+    GRANT_WITHIN_S,
+    LEASE_ARM_CHANGED,
+    LEASE_CLIENT_GONE,
+    LEASE_DECLINED,
+    LEASE_FAULT,
+    LEASE_MOVES_NOTHING,
+    LEASE_OPERATOR_MOVED,
+    LEASE_OTHER_HOST,
+    LEASE_PROGRAM_ENDS,
+    LEASE_RELEASED,
+    LEASE_STOPPED,
+    LEASE_TAKEN_BACK,
+    LEASE_TOO_FAST,
+    SILENT_S,
+    Ask,
+    Lease,
+    Lessor,
+)
 from armui.interface.messages import (
     PROTOCOL,
     Call,
@@ -100,7 +118,6 @@ CONSENT_GRANTED = Notice(
 )
 
 _TICK_MS: Final = 33
-_ANSWERED_ASKS_S: Final = leases.GRANT_WITHIN_S
 _FAULTS: Final = frozenset(
     {
         ArmStatusCode.JOINT_COMMUNICATION_FAULT,
@@ -114,54 +131,9 @@ _FAULTS: Final = frozenset(
     }
 )
 _OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
-_NEVER_HALTED_FOR: Final = frozenset({leases.LEASE_OPERATOR_MOVED, leases.LEASE_STOPPED})
+_NEVER_HALTED_FOR: Final = frozenset({LEASE_OPERATOR_MOVED, LEASE_STOPPED})
 """What ends a lease by a motion or a stop of the operator's needs no halt of ours on top."""
 _LONGEST_TEXT: Final = 200
-
-
-@dataclass(frozen=True, slots=True)
-class Consented:
-    """A call that waits for the operator's held press.
-
-    Attributes:
-        client: Whose it is.
-        operation: The id of the operation.
-        title: Its title in English.
-        arguments: What it is called with.
-        since_s: Monotonic time.
-    """
-
-    client: Client
-    operation: str
-    title: str
-    arguments: Mapping[str, object]
-    since_s: float
-
-
-@dataclass(frozen=True, slots=True)
-class InterfaceView:
-    """What the window shows of the interface.
-
-    Attributes:
-        on: True while it is served.
-        problem: Why it is not, though it is switched on.
-        path: The socket.
-        clients: Who is connected.
-        asked: Who asks for the arm.
-        lease: The lease.
-        doing: What its holder does now, the id of an operation, or ``stream.target``; "" for
-            nothing.
-        consent: What the operator is asked to let a client do.
-    """
-
-    on: bool = False
-    problem: Refusal | None = None
-    path: str = ""
-    clients: tuple[Client, ...] = ()
-    asked: Ask | None = None
-    lease: Lease | None = None
-    doing: str = ""
-    consent: Consented | None = None
 
 
 @dataclass(slots=True)
@@ -298,8 +270,8 @@ class Interface(QObject):
         server, self._server = self._server, None
         self._problem = None
         self._timer.stop()
-        self._end_lease(leases.LEASE_PROGRAM_ENDS())
-        self._give_up_asking(leases.LEASE_PROGRAM_ENDS())
+        self._end_lease(LEASE_PROGRAM_ENDS())
+        self._give_up_asking(LEASE_PROGRAM_ENDS())
         self._followed.clear()
         return server is None or server.stop()
 
@@ -328,13 +300,13 @@ class Interface(QObject):
 
     def decline(self) -> None:
         """Refuse the arm to who asks for it."""
-        self._give_up_asking(leases.LEASE_DECLINED())
+        self._give_up_asking(LEASE_DECLINED())
 
     def take_back(self) -> None:
         """End the lease: the arm is the operator's again, and its motion ends."""
         if self._lessor.held is not None:
             self._lessor.take_back(self._lessor.held.ask.client)
-        self._end_lease(leases.LEASE_TAKEN_BACK())
+        self._end_lease(LEASE_TAKEN_BACK())
 
     def consent(self, *, given: bool) -> None:
         """Let the client do what it asks for, or not; the operator has held the button, or not."""
@@ -347,7 +319,7 @@ class Interface(QObject):
                 self._tell(CONSENT_GRANTED, client=str(told.client), operation=told.title)
             self._begin(waiting.session, waiting.call, waiting.bound)
         else:
-            self._answer(waiting, refused(leases.LEASE_DECLINED()))
+            self._answer(waiting, refused(LEASE_DECLINED()))
         self._show()
 
     # From the server's thread -----------------------------------------------------------------
@@ -358,10 +330,10 @@ class Interface(QObject):
     def _on_gone(self, session: ClientSession) -> None:
         self._followed = [each for each in self._followed if each.session is not session]
         if self._asking is not None and self._asking.session is session:
-            self._give_up_asking(leases.LEASE_CLIENT_GONE())
+            self._give_up_asking(LEASE_CLIENT_GONE())
         held = self._lessor.held
         if held is not None and held.ask.client.number == session.client.number:
-            self._end_lease(leases.LEASE_CLIENT_GONE())
+            self._end_lease(LEASE_CLIENT_GONE())
         self._lessor.take_back(session.client)
         self._show()
 
@@ -404,7 +376,7 @@ class Interface(QObject):
 
     def _release(self, waiting: _Waiting) -> Json:
         self._lease_of(waiting)
-        self._end_lease(leases.LEASE_RELEASED())
+        self._end_lease(LEASE_RELEASED())
         return {}
 
     def _stream_ends(self, waiting: _Waiting) -> Json:
@@ -441,7 +413,7 @@ class Interface(QObject):
                 "stream_max_deg_s": STREAM_DEG_S,
                 "stream_smoothing_s": SETTLING_S,
                 "stream_rests_after_s": REST_S,
-                "silent_after_s": leases.SILENT_S,
+                "silent_after_s": SILENT_S,
             },
         }
 
@@ -559,13 +531,13 @@ class Interface(QObject):
         lease = self._lease_of(waiting)
         operation = bound.operation
         if operation.moves and not lease.ask.moves:
-            raise refused(leases.LEASE_MOVES_NOTHING())
+            raise refused(LEASE_MOVES_NOTHING())
         self._arguments(waiting.call, bound)  # what is malformed asks nobody
         if operation.id == "motion.set_speed":
             percent = waiting.call.params["percent"]
             if percent > lease.max_speed_percent:
                 most = lease.max_speed_percent
-                raise refused(leases.LEASE_TOO_FAST(value=percent, maximum=most))
+                raise refused(LEASE_TOO_FAST(value=percent, maximum=most))
         client = waiting.session.client
         self._tell(CLIENT_ASKS, client=str(client), operation=operation.title)
         if asks(operation) and not self._grants_itself:
@@ -620,13 +592,13 @@ class Interface(QObject):
             return
         operation = self._controller.operations[name].operation
         if operation.moves or operation.consent is not Consent.NONE:
-            self._end_lease(leases.LEASE_OPERATOR_MOVED(operation=operation.title))
+            self._end_lease(LEASE_OPERATOR_MOVED(operation=operation.title))
 
     def _on_all_motion_ended(self) -> None:
         if self._lessor.held is not None:
-            self._end_lease(leases.LEASE_STOPPED())
+            self._end_lease(LEASE_STOPPED())
         if self._lessor.asked is not None:
-            self._give_up_asking(leases.LEASE_STOPPED())
+            self._give_up_asking(LEASE_STOPPED())
 
     # The stream -------------------------------------------------------------------------------
 
@@ -646,7 +618,7 @@ class Interface(QObject):
         if isinstance(lease, Refusal):
             return lease
         if not lease.ask.moves:
-            return leases.LEASE_MOVES_NOTHING()
+            return LEASE_MOVES_NOTHING()
         refusal = check_joints(target.joints_deg, self._controller.operating_state.limits)
         jogging = self._controller.jogging
         streamed = jogging.streamed
@@ -691,9 +663,9 @@ class Interface(QObject):
             else:
                 self._cap_speed(self._lessor.held)
         consent = self._consent
-        if consent is not None and now_s - consent.since_s > _ANSWERED_ASKS_S:
+        if consent is not None and now_s - consent.since_s > GRANT_WITHIN_S:
             self._consent = None
-            self._answer(consent, refused(CONSENT_NOT_GIVEN(seconds=round(_ANSWERED_ASKS_S))))
+            self._answer(consent, refused(CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S))))
         self._tell_outcomes()
         self._show()
 
@@ -703,16 +675,16 @@ class Interface(QObject):
         A stop or a fault that the operator has granted the arm in ends nothing: it is to be left.
         """
         if mark is None or now.unreachable or not mark.is_still(self._controller.mark):
-            return leases.LEASE_ARM_CHANGED()
+            return LEASE_ARM_CHANGED()
         if now.other_host is not None:
             return now.other_host.refusal
         if now.mover in _OTHERS:
-            return leases.LEASE_OTHER_HOST()
+            return LEASE_OTHER_HOST()
         stop, fault = self._began or (now.stop, _fault_of(now))
         if now.stop is not stop and now.stop in {StopState.REQUESTED, StopState.STOPPED}:
-            return leases.LEASE_STOPPED()
+            return LEASE_STOPPED()
         if _fault_of(now) not in {None, fault}:
-            return leases.LEASE_FAULT()
+            return LEASE_FAULT()
         self._began = now.stop, _fault_of(now)
         return None
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 from armui.arm.figures import Range
 from armui.arm.inspection_record import InspectionEntry, JointFigures, JointFinding, findings
@@ -313,14 +313,12 @@ class Inspection(ControllerPart):
         if any(joints):
             self._reference.keep_inspection(entry)
         if found:
-            self._tell(INSPECTED_STANDS_OUT, [each.joint for each in found])
+            joints = joint_list(sorted({each.joint for each in found}))
+            self._context.tell(INSPECTED_STANDS_OUT, joints=joints)
         if unmeasured:
-            self._tell(INSPECTION_INCOMPLETE, unmeasured)
+            self._context.tell(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
         elif not found:
             self._context.tell(INSPECTED)
-
-    def _tell(self, notice: Notice, joints: Sequence[int] | Mapping[int, Any]) -> None:
-        self._context.tell(notice, joints=joint_list(sorted(set(joints))))
 
     @staticmethod
     def _why_not_measured(swing: Swing, *, heard: bool) -> Refusal:

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from armui.control.arm_controller import ArmController
-    from armui.interface.interface import Consented, Interface, InterfaceView
+    from armui.interface.interface import Interface
+    from armui.interface.interface_view import Consented, InterfaceView
     from armui.interface.lease import Ask, Client
 
 _TICK_MS: Final = 250

@@ -16,7 +16,8 @@ from armui.ui.widgets.translated import Translated
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from armui.interface.interface import Interface, InterfaceView
+    from armui.interface.interface import Interface
+    from armui.interface.interface_view import InterfaceView
 
 _ICON_PX: Final = 14
 

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from PySide6.QtGui import QPaintEvent
 
     from armui.control.arm_controller import ArmController
-    from armui.interface.interface import Interface, InterfaceView
+    from armui.interface.interface import Interface
+    from armui.interface.interface_view import InterfaceView
     from armui.interface.lease import Lease
 
 _ICON_PX: Final = 18
