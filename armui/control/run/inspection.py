@@ -313,8 +313,8 @@ class Inspection(ControllerPart):
         if any(joints):
             self._reference.keep_inspection(entry)
         if found:
-            joints = joint_list(sorted({each.joint for each in found}))
-            self._context.tell(INSPECTED_STANDS_OUT, joints=joints)
+            striking = joint_list(sorted({each.joint for each in found}))
+            self._context.tell(INSPECTED_STANDS_OUT, joints=striking)
         if unmeasured:
             self._context.tell(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
         elif not found:
