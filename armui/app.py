@@ -155,6 +155,7 @@ _LATE_ROOMS: Final = (
     "ways",
     "bus",
     "control",
+    "interface",
     "ui",
 )
 """The rooms with modules that a page imports when it is opened."""

@@ -20,6 +20,7 @@ from PySide6.QtCore import QCoreApplication, QSocketNotifier
 
 from armui.control.arm_controller import ArmController
 from armui.interface.interface import Interface
+from armui.interface.interface_view import InterfaceView
 from armui.interface.messages import english
 from armui.simulated_arms import SIMULATED, SimulatedArms
 from armui.system import paths
@@ -66,24 +67,28 @@ def run(options: argparse.Namespace) -> int:
 
     def serve(_now: object) -> None:
         """Serve the interface once the arm is known."""
+        if controller.operating_state.generation is not None:
+            controller.operating_state_changed.disconnect(serve)
+            interface.switch(on=True)
+
+    def tell(view: InterfaceView) -> None:
+        """Say that it is served, or why it is not."""
         nonlocal code
-        if controller.operating_state.generation is None:
-            return
-        controller.operating_state_changed.disconnect(serve)
-        interface.switch(on=True)
-        problem = interface.view.problem
-        if problem is not None:
-            sys.stderr.write(f"armui sim: {english(problem.reason.source, problem.params)}\n")
+        if view.problem is not None:
+            problem = english(view.problem.reason.source, view.problem.params)
+            sys.stderr.write(f"armui sim: {problem}\n")
             code = 2
             app.quit()
-            return
-        sys.stdout.write(
-            f"Simulated arm, interface on {interface.view.path}. The lease is {granted}. Ctrl-C "
-            "ends it.\n"
-        )
-        sys.stdout.flush()
+        elif view.on:
+            interface.changed.disconnect(tell)
+            sys.stdout.write(
+                f"Simulated arm, interface on {view.path}. The lease is {granted}. Ctrl-C ends "
+                "it.\n"
+            )
+            sys.stdout.flush()
 
     controller.operating_state_changed.connect(serve)
+    interface.changed.connect(tell)
     with _ended_by_signals(app):
         app.exec()
     interface.end()

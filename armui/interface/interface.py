@@ -6,6 +6,7 @@ the gate. The operator grants the lease and each consent by a held press, and en
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -167,6 +168,7 @@ class Interface(QObject):
     """
 
     changed = Signal(object)
+    _opened = Signal(object, object)
     _called = Signal(object, object)
     _target_came = Signal()
     _heard = Signal(object)
@@ -187,6 +189,7 @@ class Interface(QObject):
         self._clock = clock
         self._grants_itself = grants_itself
         self._server: Server | None = None
+        self._serves = False
         self._lessor = Lessor()
         self._asking: _Waiting | None = None
         self._consent: _Waiting | None = None
@@ -210,6 +213,7 @@ class Interface(QObject):
             "stream.end": self._stream_ends,
         }
         queued = Qt.ConnectionType.QueuedConnection
+        self._opened.connect(self._on_opened, queued)
         self._called.connect(self._on_call, queued)
         self._target_came.connect(self._on_target, queued)
         self._heard.connect(self._on_heard, queued)
@@ -244,31 +248,41 @@ class Interface(QObject):
     def _open(self) -> Refusal | None:
         if not sys.platform.startswith("linux"):
             return INTERFACE_NOT_HERE()
-        from armui.interface.server import Server, SocketTakenError  # noqa: PLC0415 - asyncio
+        from armui.interface.server import Server  # noqa: PLC0415 - asyncio
 
-        server = Server(
+        server = self._server = Server(
             self._path,
             lambda: self._controller.newest,
+            on_opened=lambda error: self._opened.emit(server, error),
             on_call=self._called.emit,
             on_target=self._target_came.emit,
             on_heard=self._heard.emit,
             on_gone=self._gone.emit,
             clock=self._clock,
         )
-        try:
-            server.start()
-        except SocketTakenError:
-            return INTERFACE_TAKEN(path=str(self._path))
-        except OSError as error:
-            return INTERFACE_NOT_OPENED(path=str(self._path), text=str(error))
-        sentences()  # read now: what is told later waits for no file
-        self._server = server
-        self._timer.start()
+        server.start()
         return None
+
+    def _on_opened(self, server: Server, error: OSError | None) -> None:
+        if server is not self._server:
+            return  # it was switched off meanwhile
+        if error is None:
+            self._serves = True
+            self._timer.start()
+        else:
+            self._server = None
+            taken = error.errno == errno.EADDRINUSE
+            path, text = str(self._path), str(error)
+            self._problem = (
+                INTERFACE_TAKEN(path=path)
+                if taken
+                else (INTERFACE_NOT_OPENED(path=path, text=text))
+            )
+        self._show()
 
     def _close(self) -> bool:
         server, self._server = self._server, None
-        self._problem = None
+        self._problem, self._serves = None, False
         self._timer.stop()
         self._end_lease(LEASE_PROGRAM_ENDS())
         self._give_up_asking(LEASE_PROGRAM_ENDS())
@@ -738,7 +752,7 @@ class Interface(QObject):
     def _show(self) -> None:
         server, doing = self._server, self._doing
         view = InterfaceView(
-            on=server is not None,
+            on=self._serves,
             problem=self._problem,
             path=str(self._path),
             clients=() if server is None else tuple(server.clients),

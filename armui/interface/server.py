@@ -41,6 +41,7 @@ MOST_UNREAD: Final = 512 * 1024
 MOST_RATE_HZ: Final = 200.0
 _END_S: Final = 2.0
 _HELLO: Final = "hello"
+_HELLO_WITHIN_S: Final = 1.0
 _NAME_LENGTH: Final = 80
 _LOG: Final = logging.getLogger(__name__)
 
@@ -93,6 +94,7 @@ class Server:
     Args:
         path: The socket.
         state: Returns the newest state of the arm, for any thread.
+        on_opened: Takes why the socket could not be opened, or ``None`` once it is served.
         on_call: Takes a call that the window's thread must answer by :meth:`answer`.
         on_target: Called when there is a new target: see :meth:`take_target`.
         on_heard: Takes each client that anything was heard from.
@@ -105,6 +107,7 @@ class Server:
         path: Path,
         state: Callable[[], ArmState],
         *,
+        on_opened: Callable[[OSError | None], object],
         on_call: Callable[[ClientSession, Call], object],
         on_target: Callable[[], object],
         on_heard: Callable[[ClientSession], object],
@@ -113,6 +116,7 @@ class Server:
     ) -> None:
         self.path = path
         self._state = state
+        self._on_opened = on_opened
         self._on_call, self._on_target = on_call, on_target
         self._on_heard, self._on_gone = on_heard, on_gone
         self._clock = clock
@@ -124,6 +128,7 @@ class Server:
         self._target: Target | None = None
         self._target_lock = threading.Lock()
         self._last: asyncio.Event | None = None
+        self._ending = False
 
     @property
     def clients(self) -> list[Client]:
@@ -133,16 +138,10 @@ class Server:
     # From the window's thread -----------------------------------------------------------------
 
     def start(self) -> None:
-        """Open the socket, for this user alone, and serve it.
-
-        Raises:
-            SocketTakenError: Another program serves it.
-            OSError: It cannot be opened.
-        """
-        listening = _listen(self.path)
+        """Open the socket, for this user alone, and serve it, all in a thread of its own."""
         loop = self._loop = asyncio.new_event_loop()
         self._thread = threading.Thread(
-            target=self._serve, args=(loop, listening), name="armui-interface", daemon=True
+            target=self._serve, args=(loop,), name="armui-interface", daemon=True
         )
         self._thread.start()
 
@@ -151,6 +150,7 @@ class Server:
         loop, thread = self._loop, self._thread
         if loop is None or thread is None:
             return True
+        self._ending = True
         with contextlib.suppress(RuntimeError):  # it has ended already
             loop.call_soon_threadsafe(self._end)
         thread.join(_END_S)
@@ -188,8 +188,15 @@ class Server:
 
     # In the server's thread -------------------------------------------------------------------
 
-    def _serve(self, loop: asyncio.AbstractEventLoop, listening: socket.socket) -> None:
+    def _serve(self, loop: asyncio.AbstractEventLoop) -> None:
         asyncio.set_event_loop(loop)
+        try:
+            messages.sentences()  # read now: what is told later waits for no file
+            listening = _listen(self.path)
+        except OSError as error:
+            self._on_opened(error)
+            loop.close()
+            return
         try:
             loop.run_until_complete(self._until_ended(listening))
         finally:
@@ -197,7 +204,10 @@ class Server:
 
     async def _until_ended(self, listening: socket.socket) -> None:
         self._last = asyncio.Event()
+        if self._ending:
+            self._last.set()
         server = await asyncio.start_unix_server(self._begin, sock=listening, limit=MAX_BYTES)
+        self._on_opened(None)
         try:
             await self._last.wait()
         finally:
@@ -221,6 +231,10 @@ class Server:
         if user != os.getuid() or len(self._sessions) >= MOST_CLIENTS:
             text = f"At most {MOST_CLIENTS} clients, of the user of the program."
             writer.write(messages.error(CallError(Code.INVALID, text)))
+            if user == os.getuid():
+                with contextlib.suppress(OSError, EOFError, ValueError, asyncio.TimeoutError):
+                    # it is about to say hello, and would hear of a broken pipe instead
+                    await asyncio.wait_for(reader.readuntil(b"\n"), _HELLO_WITHIN_S)
             writer.close()
             return
         self._numbers += 1

@@ -168,6 +168,7 @@ def test_not_beyond_the_stroke(arm2):
 
 def test_not_in_a_stop_and_a_stop_ends_it(arm):
     arm.gripper.enable(1.0)
+    arm.step()
     arm.ear.heard.clear()
     arm.controller.emergency_stop()
     arm.run_until(lambda: "stop_confirmed" in arm.codes())

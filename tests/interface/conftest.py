@@ -13,6 +13,15 @@ STEP_S = 0.02
 WITHIN_S = 10.0
 
 
+def until_settled(interface):
+    """Wait until an interface that was switched on is served, or says why it is not."""
+    until_s = time.monotonic() + WITHIN_S
+    while not interface.view.on and interface.view.problem is None:
+        assert time.monotonic() < until_s
+        QCoreApplication.processEvents()
+        time.sleep(0.001)
+
+
 class Desk(Interface):
     """The interface, with the rig it is of."""
 
@@ -103,6 +112,7 @@ def desk(rig, tmp_path):
     rig.ready()
     interface = Desk(rig, tmp_path / "r" / "api.sock")
     interface.switch(on=True)
+    until_settled(interface)
     assert interface.view.problem is None
     yield interface
     assert interface.end()

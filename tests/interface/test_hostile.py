@@ -16,6 +16,7 @@ from PySide6.QtCore import QCoreApplication
 from armui.interface import server
 from armui.interface.interface import Interface
 from armui.interface.server import MOST_CLIENTS, MOST_UNREAD
+from tests.interface.conftest import until_settled
 
 HELLO = (
     b'{"jsonrpc": "2.0", "id": 1, "method": "hello", "params": {"client": "x", "protocol": 1}}\n'
@@ -26,8 +27,15 @@ METHODS = ("ping", "state.get", "lease.request", "stream.target", "motion.send",
 def raw(desk):
     one = socket.socket(socket.AF_UNIX)
     one.settimeout(5.0)
-    one.connect(desk.view.path)
-    return one
+    until_s = time.monotonic() + 10.0
+    while True:
+        try:
+            one.connect(desk.view.path)
+        except BlockingIOError:  # as many wait already to be let in
+            assert time.monotonic() < until_s
+            serve(desk, 0.01)
+        else:
+            return one
 
 
 def serve(desk, seconds=0.05):
@@ -202,6 +210,7 @@ def test_a_web_page_is_no_client(desk):
 def test_a_second_program_leaves_the_socket_to_the_first(desk, rig):
     second = Interface(rig.controller, desk._path, lambda: rig.time_s)
     second.switch(on=True)
+    until_settled(second)
     assert second.view.problem.code == "interface_taken"
     assert second.end()
     assert Path(desk.view.path).exists()
@@ -215,6 +224,7 @@ def test_a_socket_left_by_a_killed_program_is_taken_over(rig, tmp_path):
     left.close()
     interface = Interface(rig.controller, path, lambda: rig.time_s)
     interface.switch(on=True)
+    until_settled(interface)
     assert interface.view.problem is None
     assert interface.end()
     assert not path.exists()

@@ -16,7 +16,7 @@ from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.interface.client_question import ClientQuestion, ConsentDialog, GrantDialog
 from armui.ui.interface.interface_dialog import InterfaceDialog
 from armui.ui.interface.lease_bar import LeaseBar
-from tests.interface.conftest import RawClient
+from tests.interface.conftest import RawClient, until_settled
 from tests.operator.test_operator_view import item
 
 NOTHING = "There is nothing to do here right now."
@@ -31,7 +31,7 @@ class Desk:
         driver.ready()
         driver.store.change(interface=True)
         self.interface = driver.program.interface
-        assert self.interface.view.on
+        until_settled(self.interface)
         self.clients = []
 
     def client(self, name="my script"):
@@ -378,6 +378,7 @@ def test_the_setting_opens_and_closes_the_socket(app_driver):
     dialog = app_driver.dialog(InterfaceDialog)
     app_driver.click(dialog.box)
     assert app_driver.store.settings.interface
+    until_settled(app_driver.program.interface)
     assert path.exists()
     assert mark.isVisible()
     assert isinstance(bar, LeaseBar)
@@ -419,8 +420,10 @@ def test_the_window_says_what_was_granted(desk, client):
 def test_a_socket_that_another_program_serves_is_said(app_driver):
     first = app_driver.program.interface
     app_driver.store.change(interface=True)
+    until_settled(first)
     second = Interface(app_driver.controller, first._path, lambda: app_driver.time_s)
     second.switch(on=True)
+    until_settled(second)
     assert second.view.problem.code == "interface_taken"
     second.switch(on=False)
     assert second.view.problem is None

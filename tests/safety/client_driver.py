@@ -50,6 +50,8 @@ class ClientDriver(ControllerDriver):
             self.controller, path, lambda: self.time_s, grants_itself=True
         )
         self.interface.switch(on=True)
+        while not self.interface.view.on:
+            QCoreApplication.processEvents()
         self._socket = socket.socket(socket.AF_UNIX)
         self._socket.connect(str(path))
         self._socket.settimeout(_WITHIN_S)
