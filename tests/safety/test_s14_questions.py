@@ -29,6 +29,7 @@ ASKING = {
     "ui/dialogs/confirm_dialog.py": {"ConfirmDialog": 1, "HoldButton": 1},
     "ui/dialogs/connect.py": {"confirm": 1},
     "ui/dialogs/files.py": {"FileDialog": 2, "choose_file": 1},
+    "ui/dialogs/inspection.py": {"HoldButton": 1},
     "ui/dialogs/problem_report.py": {"choose_file": 1},
     "ui/dialogs/reference_check.py": {"HoldButton": 2, "choose_file": 1, "confirm": 2},
     "ui/dialogs/settings.py": {"choose_file": 1},
