@@ -29,7 +29,7 @@ def durations(ways: Array, speeds: Array, accelerations: Array) -> Array:
     return np.where(short, 2.0 * np.sqrt(ways / accelerations), longer)
 
 
-def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
+def even_speeds(ways: Array, lasting_s: Array | float, accelerations: Array) -> Array:
     """Return the speed of the even part with which a motion takes exactly a given time.
 
     Args:
@@ -48,7 +48,7 @@ def even_speeds(ways: Array, lasting_s: Array, accelerations: Array) -> Array:
     return signed
 
 
-def places(times_s: Array, lasting_s: Array, speeds: Array, accelerations: Array) -> Array:
+def places(times_s: Array, lasting_s: Array | float, speeds: Array, accelerations: Array) -> Array:
     """Return the distance covered by a motion at a time.
 
     Args:

@@ -114,7 +114,7 @@ def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]
     begin, end = way.joints_deg[0], way.joints_deg[-1]
     turns = np.abs(end - begin)
     tops, ramps = (np.maximum(each, _SLOWEST) for each in (speeds, accelerations))
-    lasting_s = trapezoids.durations(turns, tops, ramps).max()
+    lasting_s = float(trapezoids.durations(turns, tops, ramps).max())
     if not (np.isfinite(lasting_s) and lasting_s > 0.0):
         return way
     even = trapezoids.even_speeds(turns, lasting_s, ramps)

@@ -130,8 +130,9 @@ class Scene:
         self.rng = np.random.default_rng(seed)
         self.jogs = seed % 3 == 0
         rng = self.rng
-        self.model = PiperModel.PIPER if rng.random() < 0.7 else rng.choice(list(PiperModel))
-        self.model = PiperModel(self.model)
+        names = [each.value for each in PiperModel]
+        name = PiperModel.PIPER.value if rng.random() < 0.7 else str(rng.choice(names))
+        self.model = PiperModel(name)
         self.margin_mm = float(rng.choice(MARGINS_MM))
         self.opening_mm = round(
             float(rng.uniform(0.0, model_data(self.model).gripper.strokes_mm[0])), 1
