@@ -246,7 +246,8 @@ class Interface(QObject):
         self._show()
 
     def _open(self) -> Refusal | None:
-        if not sys.platform.startswith("linux"):
+        system: str = sys.platform  # its type: checked for every system
+        if system != "linux":
             return INTERFACE_NOT_HERE()
         from armui.interface.server import Server  # noqa: PLC0415 - asyncio
 

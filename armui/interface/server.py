@@ -14,8 +14,9 @@ import logging
 import os
 import socket
 import struct
+import sys
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -206,7 +207,7 @@ class Server:
         self._last = asyncio.Event()
         if self._ending:
             self._last.set()
-        server = await asyncio.start_unix_server(self._begin, sock=listening, limit=MAX_BYTES)
+        server = await _start(self._begin, listening)
         self._on_opened(None)
         try:
             await self._last.wait()
@@ -228,10 +229,10 @@ class Server:
             self._tasks.add(task)
             task.add_done_callback(self._tasks.discard)
         process, user = _peer(writer.get_extra_info("socket"))
-        if user != os.getuid() or len(self._sessions) >= MOST_CLIENTS:
+        if not _is_mine(user) or len(self._sessions) >= MOST_CLIENTS:
             text = f"At most {MOST_CLIENTS} clients, of the user of the program."
             writer.write(messages.error(CallError(Code.INVALID, text)))
-            if user == os.getuid():
+            if _is_mine(user):
                 with contextlib.suppress(OSError, EOFError, ValueError, asyncio.TimeoutError):
                     # it is about to say hello, and would hear of a broken pipe instead
                     await asyncio.wait_for(reader.readuntil(b"\n"), _HELLO_WITHIN_S)
@@ -398,41 +399,68 @@ def _unread(session: ClientSession) -> int:
     return session.writer.transport.get_write_buffer_size()
 
 
-def _listen(path: Path) -> socket.socket:
-    """Return the listening socket, closed to other users.
+if sys.platform == "linux":
 
-    Raises:
-        SocketTakenError: Somebody answers there.
-        OSError: It cannot be made.
-    """
-    make_private(path.parent)
-    with socket.socket(socket.AF_UNIX) as probe:
+    def _listen(path: Path) -> socket.socket:
+        """Return the listening socket, closed to other users.
+
+        Raises:
+            SocketTakenError: Somebody answers there.
+            OSError: It cannot be made.
+        """
+        make_private(path.parent)
+        with socket.socket(socket.AF_UNIX) as probe:
+            try:
+                probe.connect(str(path))
+            except OSError:
+                with contextlib.suppress(FileNotFoundError):
+                    path.unlink()  # left by a program that was killed
+            else:
+                raise SocketTakenError(errno.EADDRINUSE, "another program serves it", str(path))
+        listening = socket.socket(socket.AF_UNIX)
         try:
-            probe.connect(str(path))
+            before = os.umask(0o177)
+            try:
+                listening.bind(str(path))
+            finally:
+                os.umask(before)
+            listening.listen(MOST_CLIENTS)
         except OSError:
-            with contextlib.suppress(FileNotFoundError):
-                path.unlink()  # left by a program that was killed
-        else:
-            raise SocketTakenError(errno.EADDRINUSE, "another program serves it", str(path))
-    listening = socket.socket(socket.AF_UNIX)
-    try:
-        before = os.umask(0o177)
-        try:
-            listening.bind(str(path))
-        finally:
-            os.umask(before)
-        listening.listen(MOST_CLIENTS)
-    except OSError:
-        listening.close()
-        raise
-    return listening
+            listening.close()
+            raise
+        return listening
 
+    def _peer(connection: socket.socket) -> tuple[int, int]:
+        """Return the process and the user at the other end, as the system knows them."""
+        told = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
+        process, user, _group = struct.unpack("3i", told)
+        return process, user
 
-def _peer(connection: socket.socket) -> tuple[int, int]:
-    """Return the process and the user at the other end, as the system knows them."""
-    told = connection.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, struct.calcsize("3i"))
-    process, user, _group = struct.unpack("3i", told)
-    return process, user
+    async def _start(
+        begin: Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]],
+        listening: socket.socket,
+    ) -> asyncio.Server:
+        return await asyncio.start_unix_server(begin, sock=listening, limit=MAX_BYTES)
+
+    def _is_mine(user: int) -> bool:
+        return user == os.getuid()
+
+else:
+
+    def _listen(path: Path) -> socket.socket:
+        raise OSError(errno.ENOSYS, "offered on Linux only", str(path))
+
+    def _peer(connection: socket.socket) -> tuple[int, int]:
+        raise OSError(errno.ENOSYS, "offered on Linux only", str(connection))
+
+    async def _start(
+        begin: Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]],
+        listening: socket.socket,
+    ) -> asyncio.Server:
+        return await asyncio.start_server(begin, sock=listening, limit=MAX_BYTES)
+
+    def _is_mine(user: int) -> bool:
+        return user < 0
 
 
 def _program(process: int) -> str:
