@@ -6,6 +6,7 @@ import enum
 import inspect
 import json
 import socket
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -19,7 +20,7 @@ from armui.interface import lease as leases
 from armui.interface.interface import Interface
 from armui.interface.messages import Code
 from armui.interface.plain_forms import WITHOUT
-from tests.safety.operation_driver import Answer, ControllerDriver
+from tests.safety.operation_driver import Answer, ControllerDriver, Midway
 
 _WITHIN_S: Final = 20.0
 _PING_S: Final = 0.4
@@ -30,6 +31,16 @@ class _KeptInterface(Interface):
     """Keeps the record of each operation that a client has begun."""
 
     begun: Started | None = None
+    fault: Midway | None = None
+    """What fails in the operation itself: its calls are the same in each run, unlike its ticks."""
+
+    def _begin(self, *arguments: Any) -> None:
+        if self.fault is not None:
+            sys.setprofile(self.fault.profile)
+        try:
+            super()._begin(*arguments)
+        finally:
+            sys.setprofile(None)
 
     def _follow_outcome(self, session: Any, started: Started) -> None:
         self.begun = started
@@ -72,10 +83,9 @@ class ClientDriver(ControllerDriver):
             assert held is not None
         self.interface.begun = None
         params = self._params(name, arguments, named)
-        answer = self._as_a_slot(lambda: self._ask(name, lease=held.number, **params))
+        self.interface.fault = self._fault
+        answer = self._ask(name, lease=held.number, **params)
         self._settle_what_was_said()
-        if answer is None:
-            return None
         return self._refusal(answer["error"]) if "error" in answer else self.interface.begun
 
     def _params(
