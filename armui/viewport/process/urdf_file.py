@@ -165,6 +165,7 @@ def _description(path: Path) -> yourdfpy.Robot:
 
 def _content(path: Path) -> bytes:
     """Return the file, which is sound XML: yourdfpy would go on with broken XML."""
+    content = b""
     try:
         content = read_file(path, _MOST_BYTES)
         # URDF files are the operator's own, and expat in supported Pythons stops entity bombs.
