@@ -221,8 +221,8 @@ class Interface(QObject):
         controller.noticed.connect(self._on_noticed)
         controller.operation_begun.connect(self._on_begun)
         controller.all_motion_ended.connect(self._on_all_motion_ended)
-        controller.state_changed.connect(lambda _state: self.tick())
-        controller.operating_state_changed.connect(lambda _now: self.tick())
+        controller.state_changed.connect(self.tick)
+        controller.operating_state_changed.connect(self.tick)
         self._timer = QTimer(self, interval=_TICK_MS)
         self._timer.timeout.connect(self.tick)
 
@@ -661,7 +661,7 @@ class Interface(QObject):
 
     # Over time --------------------------------------------------------------------------------
 
-    def tick(self) -> None:
+    def tick(self, _state: object = None) -> None:
         """Look whether the lease goes on, and tell what has become of the operations."""
         if self._server is None:
             return
