@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QSizePolicy, QWidget
 
 from armui.arm.state import is_fresh
 from armui.telemetry.quantities import QUANTITIES
+from armui.ui.override_guard import guarded
 from armui.ui.theme import LIGHT_CURVES, colors_of, curve_colors, scaled_font
 from armui.ui.watch.curve_cache import CurveBook
 from armui.ui.watch.curve_shapes import AutoHeight, together
@@ -82,6 +83,7 @@ class TakesQuantities:
 
     dropped: Any
 
+    @guarded
     def dragEnterEvent(self, event: QDragEnterEvent | QDragMoveEvent) -> None:
         """Accept quantities."""
         if from_mime(event.mimeData())[0]:
@@ -89,6 +91,7 @@ class TakesQuantities:
 
     dragMoveEvent = dragEnterEvent
 
+    @guarded
     def dropEvent(self, event: QDropEvent) -> None:
         """Emit the dropped quantities."""
         keys, plot = from_mime(event.mimeData())
