@@ -7,7 +7,7 @@ heard and moves on whatever is under way.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Any, Final
 
@@ -349,6 +349,13 @@ class ArmController(ControllerParts):
             # (S23).
             QTimer.singleShot(0, self, self._motion_end.end_motion)
             self.all_motion_ended.emit()
+
+    def end_motion_of(self, records: Container[Started]) -> None:
+        """End the motion, with power on, and drop what waits, that carry out these operations."""
+        self.gate.drop_of(records)
+        command = self._authority.command
+        if command is not None and command.started in records and self._authority.may_be_ours:
+            abort_motion(self._context)
 
     def end_all_motion(self) -> None:
         """End every motion of this program, because the system is about to end it or to sleep."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import errno
 import sys
+from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -132,8 +133,8 @@ _FAULTS: Final = frozenset(
     }
 )
 _OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
-_NEVER_HALTED_FOR: Final = frozenset({LEASE_OPERATOR_MOVED, LEASE_STOPPED})
-"""What ends a lease by a motion or a stop of the operator's needs no halt of ours on top."""
+_MOST_MOVING: Final = 64
+"""The newest operations of a lease: among them are the motion under way and the one that waits."""
 _LONGEST_TEXT: Final = 200
 
 
@@ -171,7 +172,6 @@ class Interface(QObject):
     _opened = Signal(object, object)
     _called = Signal(object, object)
     _target_came = Signal()
-    _heard = Signal(object)
     _gone = Signal(object)
 
     def __init__(
@@ -197,6 +197,8 @@ class Interface(QObject):
         self._holder: ClientSession | None = None
         self._mark: ArmMark | None = None
         self._began: tuple[StopState, int | None] | None = None
+        self._most_percent = 0
+        self._moving: deque[Started] = deque(maxlen=_MOST_MOVING)
         self._calling = False
         self._doing: Started | None = None
         self._problem: Refusal | None = None
@@ -216,7 +218,6 @@ class Interface(QObject):
         self._opened.connect(self._on_opened, queued)
         self._called.connect(self._on_call, queued)
         self._target_came.connect(self._on_target, queued)
-        self._heard.connect(self._on_heard, queued)
         self._gone.connect(self._on_gone, queued)
         controller.noticed.connect(self._on_noticed)
         controller.operation_begun.connect(self._on_begun)
@@ -257,7 +258,6 @@ class Interface(QObject):
             on_opened=lambda error: self._opened.emit(server, error),
             on_call=self._called.emit,
             on_target=self._target_came.emit,
-            on_heard=self._heard.emit,
             on_gone=self._gone.emit,
             clock=self._clock,
         )
@@ -305,6 +305,7 @@ class Interface(QObject):
         now = self._controller.operating_state
         self._mark = self._controller.mark
         self._began = now.stop, _fault_of(now)
+        self._most_percent = lease.max_speed_percent
         self._cap_speed(lease)
         self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
         if waiting is not None:
@@ -339,9 +340,6 @@ class Interface(QObject):
 
     # From the server's thread -----------------------------------------------------------------
 
-    def _on_heard(self, session: ClientSession) -> None:
-        self._lessor.heard(session.client, self._clock())
-
     def _on_gone(self, session: ClientSession) -> None:
         self._followed = [each for each in self._followed if each.session is not session]
         if self._asking is not None and self._asking.session is session:
@@ -354,7 +352,6 @@ class Interface(QObject):
 
     def _on_call(self, session: ClientSession, call: Call) -> None:
         waiting = _Waiting(session, call, self._clock())
-        self._lessor.heard(session.client, waiting.since_s)
         try:
             value = self._carry_out(waiting)
         except CallError as wrong:
@@ -518,11 +515,12 @@ class Interface(QObject):
         consent, self._consent = self._consent, None
         if consent is not None:
             self._answer(consent, refused(reason))
-        now = self._controller.operating_state
         self._end_stream()
         self._doing = None
-        if reason.reason not in _NEVER_HALTED_FOR and (now.moving or now.running or now.jogging):
-            self._controller.halt_and_hold()
+        # a stop has gone out and says more; of another's motion, the operator's too, nothing ends
+        if reason.reason != LEASE_STOPPED:
+            self._controller.end_motion_of(self._moving)
+        self._moving.clear()
         self._tell(LEASE_ENDED, client=str(lease.ask.client), reason=reason)
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
@@ -550,9 +548,8 @@ class Interface(QObject):
         self._arguments(waiting.call, bound)  # what is malformed asks nobody
         if operation.id == "motion.set_speed":
             percent = waiting.call.params["percent"]
-            if percent > lease.max_speed_percent:
-                most = lease.max_speed_percent
-                raise refused(LEASE_TOO_FAST(value=percent, maximum=most))
+            if percent > self._most_percent:
+                raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
         self._tell(CLIENT_ASKS, client=str(client), operation=operation.title)
         if asks(operation) and not self._grants_itself:
@@ -598,13 +595,17 @@ class Interface(QObject):
             self._answer(waiting, {"number": None})
 
     def _follow_outcome(self, session: ClientSession, started: Started) -> None:
+        self._moving.append(started)
         self._followed.append(_Followed(session, started))
         self._doing = started
 
     def _on_begun(self, name: str) -> None:
         """End the lease when the operator moves the arm, or does what needs his consent."""
-        if self._calling or self._lessor.held is None:
+        held = self._lessor.held
+        if self._calling or held is None:
             return
+        if name == "motion.set_speed":  # his speed holds: the client may only go slower
+            self._most_percent = min(held.max_speed_percent, self._controller.motion.speed_percent)
         operation = self._controller.operations[name].operation
         if operation.moves or operation.consent is not Consent.NONE:
             self._end_lease(LEASE_OPERATOR_MOVED(operation=operation.title))
@@ -622,7 +623,6 @@ class Interface(QObject):
         target = None if server is None else server.take_target()
         if server is None or target is None:
             return
-        self._lessor.heard(target.session.client, self._clock())
         refusal = self._follow(target)
         value: Json | CallError = {} if refusal is None else refused(refusal)
         server.answer_target(target, value)
@@ -666,6 +666,8 @@ class Interface(QObject):
         if self._server is None:
             return
         now_s, now = self._clock(), self._controller.operating_state
+        if self._holder is not None:
+            self._lessor.heard(self._holder.client, self._holder.heard_s)
         over = self._lessor.why_over(now_s)
         if self._lessor.asked is not None:
             over = over or self._why_no_lease()

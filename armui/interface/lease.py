@@ -46,7 +46,7 @@ LEASE_MOVES_NOTHING = Reason(
     "lease_moves_nothing", "This lease was asked for without motions. Ask for one with “moves”."
 )
 LEASE_TOO_FAST = Reason(
-    "lease_too_fast", "{value} % is more than the {maximum} % that the operator has granted."
+    "lease_too_fast", "{value} % is more than the {maximum} % that the operator allows now."
 )
 
 GRANT_WITHIN_S: Final = 30.0

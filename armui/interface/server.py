@@ -58,12 +58,14 @@ class ClientSession:
     Attributes:
         client: Who it is; its name is empty before its hello.
         events: True once it wants to be told the events.
+        heard_s: When anything was last heard from it.
         waiting: The number of calls that the window's thread has not answered yet.
     """
 
     client: Client
     writer: asyncio.StreamWriter
     events: bool = False
+    heard_s: float = 0.0
     waiting: int = 0
     greeted: bool = False
     subscription: asyncio.Task[None] | None = None
@@ -98,7 +100,6 @@ class Server:
         on_opened: Takes why the socket could not be opened, or ``None`` once it is served.
         on_call: Takes a call that the window's thread must answer by :meth:`answer`.
         on_target: Called when there is a new target: see :meth:`take_target`.
-        on_heard: Takes each client that anything was heard from.
         on_gone: Takes a session that is over.
         clock: Monotonic time in seconds.
     """
@@ -111,7 +112,6 @@ class Server:
         on_opened: Callable[[OSError | None], object],
         on_call: Callable[[ClientSession, Call], object],
         on_target: Callable[[], object],
-        on_heard: Callable[[ClientSession], object],
         on_gone: Callable[[ClientSession], object],
         clock: Callable[[], float] = steady_s,
     ) -> None:
@@ -119,7 +119,7 @@ class Server:
         self._state = state
         self._on_opened = on_opened
         self._on_call, self._on_target = on_call, on_target
-        self._on_heard, self._on_gone = on_heard, on_gone
+        self._on_gone = on_gone
         self._clock = clock
         self._loop: asyncio.AbstractEventLoop | None = None
         self._thread: threading.Thread | None = None
@@ -264,8 +264,7 @@ class Server:
                 text = f"A line has at most {MAX_BYTES} bytes."
                 self._send(session, messages.error(CallError(Code.INVALID, text)))
                 return
-            self._on_heard(session)
-            now_s = self._clock()
+            session.heard_s = now_s = self._clock()
             if now_s - began_s >= 1.0:
                 began_s, count = now_s, 0
             count += 1

@@ -12208,10 +12208,6 @@ The other program must have ended.</source>
         <translation>此租约申请时不含运动。请申请带“moves”的租约。</translation>
     </message>
     <message>
-        <source>{value} % is more than the {maximum} % that the operator has granted.</source>
-        <translation>{value} % 超过操作员授予的 {maximum} %。</translation>
-    </message>
-    <message>
         <source>The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, nor any speed.</source>
         <translation>日志中没有时间：各帧按顺序每隔 1 ms 排列。其中的时间和速度都不是测得的。</translation>
     </message>
@@ -12942,6 +12938,10 @@ The other program must have ended.</source>
     <message>
         <source>The local interface cannot be opened at {path}: {text}.</source>
         <translation>无法在 {path} 打开本地接口：{text}。</translation>
+    </message>
+    <message>
+        <source>{value} % is more than the {maximum} % that the operator allows now.</source>
+        <translation>{value} % 超过操作员目前允许的 {maximum} %。</translation>
     </message>
     <message>
         <source>The disk of {folder} is full. What was written before can be read. Free some room or choose another folder, then record again.</source>

@@ -4,6 +4,7 @@ import pytest
 
 from armui.control.motion.jog_path import JointJog
 from armui.control.operating_state import StopState
+from tests.app_driver import Slow
 from tests.company import OtherHost
 from tests.interface.conftest import with_lease
 
@@ -104,6 +105,64 @@ def test_his_motion_goes_on_undisturbed(leased, desk):
     send(desk.rig)
     desk.rig.run(4.0)
     assert desk.rig.firmware.joints_deg == pytest.approx((0, 10, -10, 0, 0, 0), abs=0.1)
+
+
+@pytest.mark.parametrize(
+    "act",
+    [
+        lambda rig: rig.controller.begin("gripper.move", 20.0, 1.0),
+        lambda rig: rig.controller.begin("jog.begin", JointJog(1, -1)),
+    ],
+    ids=["gripper", "jog"],
+)
+def test_what_replaces_no_motion_of_the_client_ends_it_too(leased, desk, act):
+    begin_motion(leased, desk)
+    act(desk.rig)
+    assert desk.view.lease is None
+    desk.rig.run(0.3)
+    desk.rig.controller.jogging.stop()
+    there = stand_still(desk)
+    assert there[0] < FAR[0] - 5.0, "the client's motion went on to its target"
+    assert all(desk.rig.controller.operating_state.enabled)
+
+
+def test_the_operators_gripper_moves_though_the_lease_ends_by_it(leased, desk):
+    begin_motion(leased, desk)
+    desk.rig.controller.begin("gripper.move", 20.0, 1.0)
+    desk.rig.run(3.0)
+    assert desk.rig.firmware.gripper.travel == pytest.approx(20.0, abs=1.0)
+
+
+def test_a_motion_that_waits_for_its_check_goes_with_the_lease(leased, desk):
+    slow = Slow()
+    desk.rig.controller.gate._background = slow.submit
+    far = [100.0, 120.0, -120.0, 80.0, 60.0, 100.0]
+    leased.ask("motion.send", lease=leased.lease, angles_deg=far)
+    assert slow.waiting, "it was checked at once"
+    desk.take_back()
+    slow.work()
+    desk.rig.run(2.0)
+    assert desk.rig.firmware.joints_deg == pytest.approx((0.0,) * 6, abs=0.1)
+
+
+def test_the_motion_of_another_host_is_not_ended_with_it(leased, desk):
+    host = OtherHost(desk.rig)
+    host.move_to((30, 20, -20, 0, 0, 0))
+    desk.rig.run(0.3)
+    assert desk.view.lease is None
+    desk.rig.run(5.0)
+    assert desk.rig.firmware.joints_deg == pytest.approx((30, 20, -20, 0, 0, 0), abs=0.2)
+    host.close()
+
+
+def test_what_the_operator_has_slowed_stays_slow(leased, desk):
+    motion = desk.rig.controller.motion
+    leased.ask("motion.set_speed", lease=leased.lease, percent=50)
+    motion.set_speed_percent(5)
+    wrong = leased.refused("motion.set_speed", lease=leased.lease, percent=6)
+    assert wrong["data"]["reason"] == "lease_too_fast"
+    leased.ask("motion.set_speed", lease=leased.lease, percent=4)
+    assert motion.speed_percent == 4
 
 
 def test_a_second_host_ends_it(leased, desk):

@@ -145,6 +145,8 @@ class TargetStream:
         rests = jog.age_s >= REST_S or jog.refusal is not None
         goal_deg = self.setpoint_deg if rests else jog.target_deg
         ahead_deg, speeds_deg_s = self._step(goal_deg, dt_s, pace, rests=rests)
+        if ahead_deg == self.setpoint_deg:
+            return None  # it rests
         lag_deg = [
             ahead - sag - measured
             for ahead, sag, measured in zip(ahead_deg, self._sag_deg, measured_deg, strict=True)

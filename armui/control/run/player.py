@@ -194,6 +194,7 @@ class Player(Execution):
             return self._context.refuse(NOT_PAUSED())
         refusal = why_not_go_on(self._context.refresh())
         if waits and (refusal is None or refusal.reason != RUN_SPEED_ZERO):
+            self._context.begun("run.go_on")
             self._next_point()
             return None
         if refusal is not None:
@@ -207,6 +208,7 @@ class Player(Execution):
         self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
+        self._context.begun(started.operation)
         self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
         self._publish()
         return started

@@ -8,7 +8,7 @@ is worked out in a thread, and counts only while nothing it depends on has chang
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Final
@@ -518,6 +518,11 @@ class Gate(ControllerPart):
         now = self._context.operating_state()
         heard = self._context.connection.newest.accelerations_deg_s2
         return accelerations(heard, model_data(now.model).accelerations_deg_s2)
+
+    def drop_of(self, records: Container[Started]) -> None:
+        """Drop what waits if it carries out one of these operations."""
+        if self._pending is not None and self._pending.request.started in records:
+            self._drop(Ending.CUT_OFF)
 
     def halt(self) -> None:
         """Drop what waits: the arm is to stop, or to halt."""
