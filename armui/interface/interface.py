@@ -25,7 +25,7 @@ from armui.control.motion.motion_command import Mover
 from armui.control.motion.target_stream import REST_S, SETTLING_S, STREAM_DEG_S, TargetJog
 from armui.control.operating_state import StopState
 from armui.control.operations.operation import Consent
-from armui.control.operations.started import Started
+from armui.control.operations.started import Ending, Started
 from armui.interface.interface_view import Consented, InterfaceView
 from armui.interface.lease import (
     GRANT_WITHIN_S,
@@ -52,15 +52,16 @@ from armui.interface.messages import (
     CallError,
     Code,
     Json,
+    ended,
     english,
     figures,
     plain,
+    plain_outcome,
     refused,
-    sentences,
 )
 from armui.interface.plain_forms import WITHOUT, arguments, asks, offered, six
 from armui.protocol.codes import ArmStatusCode
-from armui.telemetry.events import Asker, EventKind, Level
+from armui.telemetry.events import Asker, EventKind, EventOutcome, Level
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -197,6 +198,7 @@ class Interface(QObject):
         self._holder: ClientSession | None = None
         self._mark: ArmMark | None = None
         self._began: tuple[StopState, int | None] | None = None
+        self._last_stream: Started | None = None
         self._most_percent = 0
         self._moving: deque[Started] = deque(maxlen=_MOST_MOVING)
         self._calling = False
@@ -624,11 +626,16 @@ class Interface(QObject):
         if server is None or target is None:
             return
         refusal = self._follow(target)
-        value: Json | CallError = {} if refusal is None else refused(refusal)
+        value: Json | CallError = {}
+        if refusal is not None:
+            value = refused(refusal) if isinstance(refusal, Refusal) else ended(refusal)
         server.answer_target(target, value)
 
-    def _follow(self, target: Target) -> Refusal | None:
-        """Have the arm follow a target; return why it does not, or why not the one before."""
+    def _follow(self, target: Target) -> Refusal | EventOutcome | None:
+        """Have the arm follow a target; return why it does not, or why not the one before.
+
+        Where the stream has ended by itself since, that is why: the next target begins another.
+        """
         lease = self._lessor.lease_of(target.session.client, target.lease)
         if isinstance(lease, Refusal):
             return lease
@@ -644,6 +651,10 @@ class Interface(QObject):
             return refusal or before or streamed.refusal
         if refusal is not None:
             return refusal
+        last, self._last_stream = self._last_stream, None
+        if last is not None and last.ending not in {None, Ending.DONE} and last.result is not None:
+            reason = last.result.params.get("reason")
+            return reason if isinstance(reason, Refusal) else last.result
         self._cap_speed(lease)
         self._calling = True
         try:
@@ -652,10 +663,12 @@ class Interface(QObject):
             self._calling = False
         if isinstance(begun, Refusal):
             return begun
+        self._last_stream = begun
         self._follow_outcome(target.session, begun)
         return None
 
     def _end_stream(self) -> None:
+        self._last_stream = None
         if self._controller.jogging.streamed is not None:
             self._controller.jogging.stop()
 
@@ -725,9 +738,7 @@ class Interface(QObject):
                 "answered": started.answer is not None,
             }
             if result is not None:
-                text = english(sentences().get(result.code, ""), result.params)
-                told = {"id": result.code, "text": text, "figures": figures(result.params)}
-                params["result"] = told
+                params["result"] = plain_outcome(result)
             server.tell("operation", params, each.session)
             if ending is not None:
                 self._followed.remove(each)

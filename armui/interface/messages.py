@@ -12,6 +12,7 @@ from typing import Any, Final
 from armui.arm.refusal import Refusal
 from armui.system import paths
 from armui.system.files import read_file
+from armui.telemetry.events import EventOutcome
 
 PROTOCOL: Final = 1
 """Counts up with each change that a client could notice."""
@@ -72,6 +73,19 @@ def refused(refusal: Refusal) -> CallError:
     """Return a reason of the program as the error of a call."""
     data = {"reason": refusal.code, "figures": figures(refusal.params)}
     return CallError(Code.REFUSED, english(refusal.reason.source, refusal.params), data=data)
+
+
+def ended(outcome: EventOutcome) -> CallError:
+    """Return how something has ended as the error of a call."""
+    told = plain_outcome(outcome)
+    data = {"reason": told["id"], "figures": told["figures"]}
+    return CallError(Code.REFUSED, told["text"], data=data)
+
+
+def plain_outcome(outcome: EventOutcome) -> Json:
+    """Return how something has ended, as the operator reads it."""
+    text = english(sentences().get(outcome.code, ""), outcome.params)
+    return {"id": outcome.code, "text": text, "figures": figures(outcome.params)}
 
 
 def read_call(line: bytes) -> Call:

@@ -7,7 +7,8 @@ import pytest
 
 from armui.control.motion.target_stream import STREAM_DEG_S
 from armui.ways.way import straight_way
-from tests.interface.conftest import with_lease
+from tests.interface.conftest import Desk, RawClient, until_settled, with_lease
+from tests.safety.operation_places import REST_DEG
 
 MID = [0.0, 60.0, -60.0, 0.0, 0.0, 0.0]
 
@@ -144,3 +145,27 @@ def test_stream_end(streaming, desk):
     desk.rig.run(0.2)
     assert not desk.rig.controller.operating_state.jogging
     assert desk.view.lease is not None
+
+
+def test_why_it_has_ended_is_the_answer_to_the_next_target(streaming, desk):
+    there = [60.0, *MID[1:]]
+    stream(streaming, desk, [there] * 5)
+    desk.rig.firmware._moves.take_frame = lambda name, signals: True  # it takes no target any more
+    stream(streaming, desk, [there] * 60)
+    assert "motion_unheeded" in answers(streaming)
+    assert desk.view.lease is not None
+
+
+def test_an_arm_outside_its_limits_is_told_as_that_and_not_led_anywhere(rig, tmp_path):
+    rig.lie(REST_DEG)
+    rig.ready()
+    rig.run(0.5)
+    desk = Desk(rig, tmp_path / "r" / "api.sock")
+    desk.switch(on=True)
+    until_settled(desk)
+    client = with_lease(RawClient(rig, desk.view.path), desk)
+    stream(client, desk, [(5.0, 20.0, -30.0, 0.0, 20.0, 0.0)] * 5)
+    assert "joints_outside" in answers(client)
+    assert rig.firmware.joints_deg == pytest.approx(REST_DEG, abs=0.1)
+    client.close()
+    assert desk.end()

@@ -17,10 +17,12 @@ from PySide6.QtCore import Qt, QTimer
 
 from armui.arm.limits import (
     JOINTS,
+    JOINTS_OUTSIDE,
     JointLimits,
     check_joints,
     clipped,
     outside_limits,
+    outside_list,
     settled,
 )
 from armui.arm.models import model_data
@@ -319,6 +321,9 @@ class Jogging(ControllerPart):
             return
         limits = self._context.operating_state().limits
         base_deg = self._begins_at(hold.jog, measured_deg, limits)
+        if isinstance(hold.jog, TargetJog) and outside_limits(base_deg, limits):
+            self._end(JOINTS_OUTSIDE(joints=outside_list(base_deg, limits)))
+            return
         sag_deg = [base - measured for base, measured in zip(base_deg, measured_deg, strict=True)]
         if outside_limits(measured_deg, limits):
             # outside its limits the arm is led to where the jog begins: the difference is no sag
