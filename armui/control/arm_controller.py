@@ -93,7 +93,7 @@ class ArmController(ControllerParts):
         operating_state_changed: A :class:`OperatingState`, when it differs.
         devices_found: A list of :class:`Device`, the answer to :meth:`search_devices`.
         searching_changed: True if a search is under way, else false.
-        operation_begun: The id of an operation, whoever asked for it.
+        operation_begun: The id of an operation that begins, whoever asked for it.
         all_motion_ended: The operator has stopped or halted the arm, or a failure or the system has
             ended every motion: a motion that was about to begin must not begin any more.
     """

@@ -55,7 +55,7 @@ class Context:
             it where it has changed that state itself.
         observe: Gives the authority all feedback received so far, and does nothing more.
         authority: Knows who moves the arm, and our own command.
-        begun: Takes the id of each operation that has begun.
+        begun: Takes the id of each operation that begins, before it sends anything.
     """
 
     connection: Connection

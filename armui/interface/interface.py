@@ -200,6 +200,7 @@ class Interface(QObject):
         self._began: tuple[StopState, int | None] | None = None
         self._last_stream: Started | None = None
         self._most_percent = 0
+        self._slowed = False
         self._moving: deque[Started] = deque(maxlen=_MOST_MOVING)
         self._calling = False
         self._doing: Started | None = None
@@ -307,7 +308,7 @@ class Interface(QObject):
         now = self._controller.operating_state
         self._mark = self._controller.mark
         self._began = now.stop, _fault_of(now)
-        self._most_percent = lease.max_speed_percent
+        self._most_percent, self._slowed = lease.max_speed_percent, False
         self._cap_speed(lease)
         self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
         if waiting is not None:
@@ -550,6 +551,9 @@ class Interface(QObject):
         self._arguments(waiting.call, bound)  # what is malformed asks nobody
         if operation.id == "motion.set_speed":
             percent = waiting.call.params["percent"]
+            if self._slowed:  # the operator's speed holds: the client may only go slower
+                his = self._controller.motion.speed_percent
+                self._most_percent, self._slowed = min(lease.max_speed_percent, his), False
             if percent > self._most_percent:
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
@@ -606,8 +610,7 @@ class Interface(QObject):
         held = self._lessor.held
         if self._calling or held is None:
             return
-        if name == "motion.set_speed":  # his speed holds: the client may only go slower
-            self._most_percent = min(held.max_speed_percent, self._controller.motion.speed_percent)
+        self._slowed = self._slowed or name == "motion.set_speed"
         operation = self._controller.operations[name].operation
         if operation.moves or operation.consent is not Consent.NONE:
             self._end_lease(LEASE_OPERATOR_MOVED(operation=operation.title))

@@ -130,9 +130,9 @@ def operation(
             refusal = why_not(now, **{each: given.arguments[each] for each in asked})
             refusal = refusal or check_arguments(method, given.arguments)
             if refusal is None:
+                context.begun(name)  # before it sends: what ends by it drops nothing of it
                 refusal = method(part, started, *args, **kwargs)
             if refusal is None:
-                context.begun(name)
                 return started
             started.close(Ending.REFUSED)
             return context.refuse(refusal)
