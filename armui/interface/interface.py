@@ -585,8 +585,8 @@ class Interface(QObject):
             return
         if lease is not None and bound.operation.moves:
             self._cap_speed(lease)
-        if bound.operation.moves:
-            self._end_stream()
+        if bound.operation.moves and not bound.operation.id.startswith("gripper."):
+            self._end_stream()  # the gripper moves beside the joints
         self._calling = True
         try:
             begun = bound.carry_out(*positional, **named)

@@ -74,6 +74,17 @@ def test_a_target_beyond_the_limits_is_refused_and_the_next_one_followed(streami
     assert desk.rig.firmware.joints_deg[0] == pytest.approx(10.0, abs=0.1)
 
 
+def test_the_gripper_moves_beside_it(streaming, desk):
+    for step in range(20):
+        stream(streaming, desk, [[float(step), *MID[1:]]])
+        streaming.ask("gripper.move", lease=streaming.lease, travel=20.0 + step, effort=1.0)
+    stream(streaming, desk, [[19.0, *MID[1:]]] * 40)
+    assert desk.rig.firmware.joints_deg[0] == pytest.approx(19.0, abs=0.1)
+    assert desk.rig.firmware.gripper.travel == pytest.approx(39.0, abs=0.5)
+    begun = [each for each in streaming.told("operation") if each["state"] == "under_way"]
+    assert len([each for each in begun if each["operation"] == "jog.begin"]) == 1
+
+
 def test_without_a_target_it_rests_and_the_lease_stays(streaming, desk):
     stream(streaming, desk, [[40.0, *MID[1:]]] * 20)
     assert desk.rig.firmware.joints_deg[0] < 35.0
