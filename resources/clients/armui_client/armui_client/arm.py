@@ -82,6 +82,11 @@ class Arm:
         """Close the connection; a lease ends with it, and its motion is halted with power on."""
         self._connection.close()
 
+    @property
+    def is_connected(self) -> bool:
+        """True while armui answers."""
+        return self._connection.heard.gone is None
+
     # What is measured -------------------------------------------------------------------------
 
     def state(self, fields: Sequence[str] | None = None) -> State:

@@ -23,6 +23,7 @@ class Stream:
     for 150 ms the arm rests.
 
     Attributes:
+        followed: How many targets were followed, as far as answered.
         refused: How many targets were refused.
     """
 
@@ -32,7 +33,7 @@ class Stream:
         self._raises = raises
         self._due_s: float | None = None
         self._unanswered: deque[int] = deque()
-        self.refused = 0
+        self.followed = self.refused = 0
 
     def target(self, joints_deg: Sequence[float]) -> Refused | None:
         """Wait until the next target is due, then send it.
@@ -72,7 +73,8 @@ class Stream:
         refusal = None
         while self._unanswered:
             try:
-                self._connection.answer(self._unanswered[0], wait_s, again=True)
+                answer = self._connection.answer(self._unanswered[0], wait_s, again=True)
+                self.followed += "superseded" not in answer
             except Timeout:
                 break  # looked at with the next target
             except Refused as found:
