@@ -32,6 +32,10 @@ class Job(Generic[Result]):
     wanted: bool = True
 
 
+Recipient = Job[Result] | Callable[[Result | Refusal], object]
+"""Receives the result of work; a job may be called off."""
+
+
 class Background(QObject):
     """Runs pieces of work one after another.
 
@@ -57,17 +61,20 @@ class Background(QObject):
             return result
         return function(*args)
 
-    def begin(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
-        """Run a function of a module; :attr:`Job.then` is called in this thread."""
+    def begin(self, job: Recipient[Result], work: Callable[..., Result], /, *args: object) -> None:
+        """Run a function of a module; the recipient of its result is called in this thread."""
         self._begin(self._workers, job, work, *args)
 
-    def begin_here(self, job: Job[Result], work: Callable[..., Result], *args: object) -> None:
+    def begin_here(
+        self, job: Recipient[Result], work: Callable[..., Result], /, *args: object
+    ) -> None:
         """Run a function in another thread of this process, otherwise like `begin`."""
         self._begin(self._files, job, work, *args)
 
     def _begin(
-        self, executor: Executor, job: Job[Result], work: Callable[..., Result], *args: object
+        self, executor: Executor, to: Recipient[Result], work: Callable[..., Result], *args: object
     ) -> None:
+        job = to if isinstance(to, Job) else Job(to)
         # the callback runs in a thread of the executor; the signal brings the result into this one
         executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(job, done))
 

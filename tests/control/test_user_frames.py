@@ -11,11 +11,11 @@ from armui.cell.tools import Tool
 from armui.cell.user_frames import UserFrame
 from armui.control.motion.jog_path import ToolJog
 from armui.control.motion.steered_path import SteeredJog
+from armui.control.run.preflight import CheckBasis
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.running.preflight import CheckBasis
 from tests.accepted import accepted
 from tests.control.jogger import bend, hold, release, rest_s
 from tests.family import PIPER

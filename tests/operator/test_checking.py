@@ -195,7 +195,7 @@ def test_an_arm_that_was_moved_meanwhile_is_checked_anew(operator):
 
 
 def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.control.run.run_request._SURPRISING_S", -1.0)
     operator.click("run_send")
     operator.workers.work()
     assert not operator.running
@@ -207,7 +207,7 @@ def test_after_a_long_check_the_operator_is_asked(operator, monkeypatch):
 
 
 def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.control.run.run_request._SURPRISING_S", -1.0)
     accept = operator.window.findChild(QPushButton, "accept_warnings")
     send = operator.window.findChild(QPushButton, "run_send")
 
@@ -241,7 +241,7 @@ def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator,
 
 
 def test_a_fault_is_said_before_a_run_that_waits(operator, monkeypatch):
-    monkeypatch.setattr("armui.ui.trajectory.running.run_request._SURPRISING_S", -1.0)
+    monkeypatch.setattr("armui.control.run.run_request._SURPRISING_S", -1.0)
     operator.click("run_send")
     operator.workers.work()
     operator.app_driver.controller.emergency_stop()

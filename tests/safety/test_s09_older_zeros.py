@@ -10,6 +10,7 @@ import pytest
 from armui.arm.models import model_data, robot_description
 from armui.control.link.link_state import LinkState
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.control.run.preflight import MODEL_CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.poses import Pose, apart
 from armui.protocol.generation import Generation, PiperModel
@@ -18,7 +19,6 @@ from armui.sim.node import Node
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import MODEL_CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.viewport.process.urdf_file import load_robot
 from tests.accepted import accepted
 from tests.arm_rig import ArmRig

@@ -7,9 +7,9 @@ import pytest
 
 from armui.control.operations.started import Started
 from armui.control.run.progress import RunPhase
+from armui.control.run.run_request import RequestState
 from armui.protocol.codes import EndLoad
 from armui.protocol.generation import PiperModel
-from armui.ui.trajectory.running.run_request import RequestState
 from tests.operator.test_running import BACK, OUT, UP, Operator, to
 
 FAR = (90.0, 60.0, -60.0, 0.0, 20.0, 0.0)

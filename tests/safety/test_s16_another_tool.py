@@ -5,10 +5,10 @@ import pytest
 from armui.cell.cell import Cell, with_part
 from armui.cell.tools import Tool
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.control.run.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from tests.accepted import accepted
 from tests.control.jogger import bend
 from tests.control.under_way import OUT, to

@@ -13,7 +13,9 @@ from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED
 from armui.control.motion.point_frames import POINT_NOT_IN_BASE
 from armui.control.operating_state import RUN_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.control.run.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.control.run.progress import Run, RunPhase
+from armui.control.run.runner import Runner
 from armui.control.safety.other_command import OTHER_HOST
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
@@ -23,8 +25,6 @@ from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.clipboard import from_text, to_text
 from armui.trajectory.points.program import Trajectory, Waypoint
-from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
-from armui.ui.trajectory.running.runner import Runner
 from tests.accepted import accepted
 from tests.control.jogger import bend
 from tests.family import PIPER

@@ -5,17 +5,12 @@ from dataclasses import replace
 import pytest
 
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.control.run.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight, carried_by
 from armui.control.run.progress import RunPhase
+from armui.control.run.runner import Runner
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import AREA_TOO_NEAR, HELD_UNKNOWN, CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import (
-    CHANGED_SINCE_CHECK,
-    CheckBasis,
-    Preflight,
-    carried_by,
-)
-from armui.ui.trajectory.running.runner import Runner
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend
 from tests.safety.test_s32_held_object import holding, table_below

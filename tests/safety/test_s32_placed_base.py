@@ -14,6 +14,7 @@ from armui.control.cell.cell_reasons import CELL_NOT_CONFIRMED, CELL_WHILE_MOVIN
 from armui.control.motion.jog_path import JointJog, ToolJog
 from armui.control.operating_state import JOG_UNDER_WAY
 from armui.control.parameters.arm_model import arm_model, start_deg
+from armui.control.run.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.forward import flange_rows
@@ -21,7 +22,6 @@ from armui.protocol.generation import PiperModel
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.planning.check import CheckRequest, check
 from armui.trajectory.points.program import Trajectory
-from armui.ui.trajectory.running.preflight import CHANGED_SINCE_CHECK, CheckBasis, Preflight
 from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
 from tests.control.jogger import BENT_DEG, bend, hold

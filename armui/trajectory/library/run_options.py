@@ -33,3 +33,13 @@ class RunOptions:
             and self.first >= 0
             and isinstance(self.step_by_step, bool)
         )
+
+
+def begin_percent(percent: int, *, seen: bool) -> int:
+    """Return the speed at which a run begins: lowered where nobody has seen its path.
+
+    Args:
+        percent: The operator's speed.
+        seen: True if it has run before.
+    """
+    return percent if seen else min(percent, FIRST_RUN_PERCENT)

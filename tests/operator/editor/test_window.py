@@ -12,7 +12,7 @@ from armui.ui.background import Background
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.running.preflight import Checks
+from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_bar import RunChoices
 from tests.app_driver import AtOnce
 from tests.operator.editor.actions import BACK, CTRL, OUT, UP, Editor, notes, to

@@ -11,12 +11,12 @@ from armui.arm.refusal import Refusal
 from armui.control.link.arm_mark import ArmMark
 from armui.control.link.link_state import LINK_LOST
 from armui.control.operations.started import ARM_CHANGED
+from armui.control.run.preflight import FINDINGS_AGAINST, MOVED_SINCE_CHECK
+from armui.control.run.run_request import RequestState, RunRequest
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.points.program import Trajectory
 from armui.ui.background import WORK_FAILED
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
-from armui.ui.trajectory.running.preflight import FINDINGS_AGAINST, MOVED_SINCE_CHECK
-from armui.ui.trajectory.running.run_request import RequestState, RunRequest
 
 CONTENT = Trajectory("one")
 NO_POWER = LINK_LOST()

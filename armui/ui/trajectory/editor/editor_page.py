@@ -12,8 +12,10 @@ from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
+from armui.control.run.preflight import Preflight
 from armui.control.run.progress import OVER, Progress
 from armui.control.run.replay import RUN_EMPTY
+from armui.control.run.runner import ended_early
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
 from armui.trajectory.library.folders import shown_folder
@@ -39,9 +41,8 @@ from armui.ui.trajectory.editor.point_edits import (
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.preflight import Checks, Preflight
+from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
-from armui.ui.trajectory.running.runner import ended_early
 from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words

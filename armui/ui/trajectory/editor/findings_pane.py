@@ -11,10 +11,10 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
+from armui.control.run.preflight import Preflight
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.preflight import Preflight
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label

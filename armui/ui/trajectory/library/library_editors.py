@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from armui.trajectory.files import Content
     from armui.trajectory.samples.recording import Recording
     from armui.ui.background import Background
-    from armui.ui.trajectory.running.preflight import Checks
+    from armui.ui.trajectory.running.checks import Checks
     from armui.ui.trajectory.running.run_bar import RunChoices
 
 

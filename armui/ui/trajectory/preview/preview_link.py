@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
     from armui.cell.cell import Cell
     from armui.control.arm_controller import ArmController
+    from armui.control.run.preflight import Preflight
     from armui.kinematics.geometry import Geometry
     from armui.trajectory.planning.findings import Finding
     from armui.trajectory.points.program import Waypoint
@@ -41,7 +42,6 @@ if TYPE_CHECKING:
     from armui.ui.trajectory.library.library_page import LibraryPage
     from armui.ui.trajectory.preview.path_preview import PathPreview
     from armui.ui.trajectory.recording.recording_page import RecordingCut
-    from armui.ui.trajectory.running.preflight import Preflight
     from armui.ui.widgets.page import Page
 
     Array = NDArray[np.float64]

@@ -17,11 +17,14 @@ from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player, why_not_run
 from armui.control.run.progress import ENDLESS, Progress, capped_percent, sent_percent
 from armui.control.run.replay import FULL_PERCENT
+from armui.control.run.run_request import RequestState, RunRequest
+from armui.control.run.runner import Runner, ended_early
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import (
     FIRST_RUN_PERCENT,
     MOST_CYCLES,
     RunOptions,
+    begin_percent,
 )
 from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
@@ -32,10 +35,8 @@ from armui.ui.actions.command import Command, Target, also, of_place
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.preflight import Checks
+from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
-from armui.ui.trajectory.running.run_request import RequestState, RunRequest
-from armui.ui.trajectory.running.runner import Runner, ended_early
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
 from armui.ui.widgets.flow import in_flow, pair
@@ -312,10 +313,8 @@ class RunBar(Translated, QWidget):
 
     def _begins_at(self) -> int:
         """Return the speed at which a run would begin that was asked for now."""
-        percent = self._controller.operating_state.speed_percent
-        if self._runner.running or self._shared.has_run(self._name):
-            return percent
-        return min(percent, FIRST_RUN_PERCENT)
+        seen = self._runner.running or self._shared.has_run(self._name)
+        return begin_percent(self._controller.operating_state.speed_percent, seen=seen)
 
     def _on_chosen(self, *_: object) -> None:
         self._shared.choose(self._name, self._options())

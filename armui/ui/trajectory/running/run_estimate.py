@@ -12,10 +12,11 @@ from armui.control.run.replay import FULL_PERCENT
 from armui.trajectory.samples.recording import Recording
 
 if TYPE_CHECKING:
+    from armui.control.run.preflight import Preflight
     from armui.trajectory.files import Content
     from armui.trajectory.library.run_options import RunOptions
     from armui.ui.background import Job
-    from armui.ui.trajectory.running.preflight import Checks, Preflight
+    from armui.ui.trajectory.running.checks import Checks
 
 _PAUSE_MS: Final = 300
 """The pause after a change before the time is worked out, as figures are typed digit by digit."""

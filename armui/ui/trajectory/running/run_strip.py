@@ -14,12 +14,12 @@ from armui.control.motion.abort import RUN_STOPPED
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import NOT_RUNNING, RUN_SPEED_ZERO, Player
 from armui.control.run.progress import ENDLESS, OVER, Progress, RunPhase
+from armui.control.run.runner import Runner, can_pause
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.runner import Runner, can_pause
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import fill, in_column, in_row

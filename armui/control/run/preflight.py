@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final, Protocol
 
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.held_shape import held_shape
 from armui.cell.parts import part_named
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
-from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
-from armui.trajectory.planning.estimate import estimates_s
+from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.trajectory.points.program import frames_in
 from armui.trajectory.samples.recording import Recording
-from armui.ui.background import Job
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
@@ -27,7 +25,6 @@ if TYPE_CHECKING:
     from armui.trajectory.library.run_options import RunOptions
     from armui.trajectory.library.store import Check
     from armui.trajectory.planning.planned_path import PlannedPath
-    from armui.ui.background import Background
 
 LIMITS_CHANGED_SINCE_CHECK = Reason(
     "limits_changed_since_check",
@@ -185,24 +182,27 @@ def carried_by(controller: ArmController, content: Content) -> dict[str, Carried
     return found
 
 
-class Checks:
+class Works(Protocol):
+    """Runs a function of a module elsewhere."""
+
+    def begin(
+        self, job: Callable[[Any], object], work: Callable[..., Any], /, *args: object
+    ) -> object:
+        """Hand the job the result, or why there is none, in this thread."""
+        ...
+
+
+class RunChecks:
     """Runs checks one after another in the background.
 
     Args:
         controller: Gives the arm's state.
-        background: Runs the checks.
-
-    Attributes:
-        background: Runs the checks, and other long work on points.
+        works: Runs the checks.
     """
 
-    def __init__(self, controller: ArmController, background: Background) -> None:
+    def __init__(self, controller: ArmController, works: Works) -> None:
         self._controller = controller
-        self.background = background
-
-    def get_ready(self) -> None:
-        """Load the modules of checks in advance."""
-        self.background.warm_up(warm_up)
+        self._works = works
 
     def begin(
         self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
@@ -232,35 +232,4 @@ class Checks:
             else:
                 then(Preflight(order, outcome, basis))
 
-        self.background.begin(Job(hand_on), check, order)
-
-    @property
-    def arm(self) -> ArmModel:
-        """The arm as a plan sees it now."""
-        return arm_model(self._controller)
-
-    @property
-    def stands_at_deg(self) -> tuple[float, ...] | None:
-        """The joint angles of an arm at rest, to a degree; ``None`` if they are not known."""
-        now, state = self._controller.operating_state, self._controller.state
-        angles_deg = None if now.moving or now.unreachable else state.angles_deg()
-        return None if angles_deg is None else tuple(float(round(each)) for each in angles_deg)
-
-    def estimate(
-        self,
-        content: Content,
-        options: RunOptions,
-        percents: Sequence[int],
-        then: Callable[[tuple[float | None, ...] | Refusal], object],
-    ) -> Job[tuple[float | None, ...]]:
-        """Work out how long something takes at some speeds, see `estimates_s`.
-
-        It is told in this thread.
-
-        Returns:
-            What is waited for; it may not be wanted any more.
-        """
-        job: Job[tuple[float | None, ...]] = Job(then)
-        arm, here = self.arm, self.stands_at_deg
-        self.background.begin(job, estimates_s, content, arm, options, percents, here)
-        return job
+        self._works.begin(hand_on, check, order)

@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Final
 from armui.arm.refusal import Refusal
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.run.player import why_not_run
+from armui.control.run.preflight import FINDINGS_AGAINST, Preflight
 from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.run.preflight import RunChecks
+    from armui.control.run.runner import Runner
     from armui.trajectory.files import Content
     from armui.trajectory.library.run_options import RunOptions
-    from armui.ui.trajectory.running.runner import Runner
-from armui.ui.trajectory.running.preflight import FINDINGS_AGAINST, Checks, Preflight
 
 _SURPRISING_S: Final = 2.0
 """If the check took longer, the operator no longer expects the arm to move."""
@@ -86,7 +87,7 @@ class RunRequest:
     def __init__(
         self,
         controller: ArmController,
-        checks: Checks,
+        checks: RunChecks,
         runner: Runner,
         *,
         read: Callable[[Callable[[Content | None], object]], object],

@@ -14,9 +14,10 @@ from armui.trajectory.samples.recording import Recording
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.operations.started import Started
     from armui.control.run.player import Player
+    from armui.control.run.preflight import Preflight
     from armui.control.run.replayer import Replayer
-    from armui.ui.trajectory.running.preflight import Preflight
 
 
 class Runner(QObject):
@@ -49,7 +50,11 @@ class Runner(QObject):
         return replayer.progress if replayer.running else self._controller.player.progress
 
     def start(self, checked: Preflight, speed_percent: int) -> Refusal | None:
-        """Run a checked content; return ``None`` if the run has begun, or why not.
+        """Run a checked content; return ``None`` if the run has begun, or why not."""
+        return refusal_of(self.begin(checked, speed_percent))
+
+    def begin(self, checked: Preflight, speed_percent: int) -> Started | Refusal:
+        """Run a checked content; return the record of the run, or why it has not begun.
 
         Args:
             checked: What is run.
@@ -58,7 +63,7 @@ class Runner(QObject):
         content, options = checked.content, checked.basis.options
         if isinstance(content, Recording):
             replay = Replay(content, speed_percent, options.cycles, checked.outcome.profile)
-            return refusal_of(self._controller.replayer.start(replay))
+            return self._controller.replayer.start(replay)
         run = Run(
             content.name,
             content.points,
@@ -69,7 +74,7 @@ class Runner(QObject):
             options.step_by_step,
             checked.outcome.path.even_s,
         )
-        return refusal_of(self._controller.player.start(run))
+        return self._controller.player.start(run)
 
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is."""
