@@ -352,6 +352,10 @@ class ArmController(ControllerParts):
 
     def end_motion_of(self, records: Container[Started]) -> None:
         """End the motion, with power on, and drop what waits, that carry out these operations."""
+        for run in (self.player, self.replayer):
+            if run.carries_out(records):
+                refusal = self.operating_state.cannot_run
+                run.stop() if refusal is None else run.end_run(refusal)
         self.gate.drop_of(records)
         command = self._authority.command
         if command is not None and command.started in records and self._authority.may_be_ours:

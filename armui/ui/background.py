@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
@@ -31,9 +31,10 @@ class Job(Generic[Result]):
     then: Callable[[Result | Refusal], object]
     wanted: bool = True
 
-
-Recipient = Job[Result] | Callable[[Result | Refusal], object]
-"""Receives the result of work; a job may be called off."""
+    def __call__(self, result: Result | Refusal) -> None:
+        """Receive the result."""
+        if self.wanted:
+            self.then(result)
 
 
 class Background(QObject):
@@ -61,32 +62,33 @@ class Background(QObject):
             return result
         return function(*args)
 
-    def begin(self, job: Recipient[Result], work: Callable[..., Result], /, *args: object) -> None:
-        """Run a function of a module; the recipient of its result is called in this thread."""
-        self._begin(self._workers, job, work, *args)
+    def begin(
+        self, then: Callable[[Any], object], work: Callable[..., object], /, *args: object
+    ) -> None:
+        """Run a function of a module; its recipient, as a `Job`, is called in this thread."""
+        self._begin(self._workers, then, work, *args)
 
     def begin_here(
-        self, job: Recipient[Result], work: Callable[..., Result], /, *args: object
+        self, then: Callable[[Any], object], work: Callable[..., object], /, *args: object
     ) -> None:
         """Run a function in another thread of this process, otherwise like `begin`."""
-        self._begin(self._files, job, work, *args)
+        self._begin(self._files, then, work, *args)
 
     def _begin(
-        self, executor: Executor, to: Recipient[Result], work: Callable[..., Result], *args: object
+        self,
+        executor: Executor,
+        then: Callable[[Any], object],
+        work: Callable[..., object],
+        *args: object,
     ) -> None:
-        job = to if isinstance(to, Job) else Job(to)
         # the callback runs in a thread of the executor; the signal brings the result into this one
-        executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(job, done))
+        executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(then, done))
 
     def warm_up(self, work: Callable[[], object]) -> None:
         """Run work whose result nobody waits for."""
         self._workers.submit(work)
 
-    def _on_arrived(self, job: Job[Result], done: Future[Result]) -> None:
-        if not job.wanted or done.cancelled():
-            return
-        error = done.exception()
-        if error is None:
-            job.then(done.result())
-        else:
-            job.then(WORK_FAILED(text=error_text(error)))
+    def _on_arrived(self, then: Callable[[Any], object], done: Future[object]) -> None:
+        if not done.cancelled():
+            error = done.exception()
+            then(done.result() if error is None else WORK_FAILED(text=error_text(error)))

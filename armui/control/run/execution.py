@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -82,6 +82,14 @@ class Execution(QObject, ControllerPart):
     def phase(self) -> RunPhase:
         """The phase of the run, or the way it ended."""
         return self._phase
+
+    def carries_out(self, records: Container[Started]) -> bool:
+        """Return whether the run under way carries out one of these operations."""
+        return self.running and self._started is not None and self._started in records
+
+    def stop(self) -> None:
+        """End the run: the arm ends its motion where it is, with power on."""
+        raise NotImplementedError
 
     def end_run(self, reason: Refusal) -> None:
         """End the run at once, because something else happens that excludes it."""

@@ -11,7 +11,7 @@ from armui.cell.held_shape import held_shape
 from armui.cell.parts import part_named
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
-from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check
+from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.trajectory.points.program import frames_in
 from armui.trajectory.samples.recording import Recording
@@ -183,26 +183,40 @@ def carried_by(controller: ArmController, content: Content) -> dict[str, Carried
 
 
 class Works(Protocol):
-    """Runs a function of a module elsewhere."""
+    """Runs work elsewhere; its recipient gets the result, or why there is none, in this thread."""
 
     def begin(
-        self, job: Callable[[Any], object], work: Callable[..., Any], /, *args: object
+        self, then: Callable[[Any], object], work: Callable[..., Any], /, *args: object
     ) -> object:
-        """Hand the job the result, or why there is none, in this thread."""
-        ...
+        """Run a function of a module, possibly in another process."""
+
+    def begin_here(
+        self, then: Callable[[Any], object], work: Callable[..., Any], /, *args: object
+    ) -> object:
+        """Run work that waits for a disk, in a thread of this process."""
+
+    def warm_up(self, work: Callable[[], object]) -> object:
+        """Run a function of a module whose result nobody waits for."""
 
 
-class RunChecks:
+class Checks:
     """Runs checks one after another in the background.
 
     Args:
         controller: Gives the arm's state.
-        works: Runs the checks.
+        background: Runs the checks.
+
+    Attributes:
+        background: Runs the checks, and other long work on points.
     """
 
-    def __init__(self, controller: ArmController, works: Works) -> None:
+    def __init__(self, controller: ArmController, background: Works) -> None:
         self._controller = controller
-        self._works = works
+        self.background = background
+
+    def get_ready(self) -> None:
+        """Load the modules of checks in advance."""
+        self.background.warm_up(warm_up)
 
     def begin(
         self, content: Content, options: RunOptions, then: Callable[[Preflight | Refusal], object]
@@ -232,4 +246,16 @@ class RunChecks:
             else:
                 then(Preflight(order, outcome, basis))
 
-        self._works.begin(hand_on, check, order)
+        self.background.begin(hand_on, check, order)
+
+    @property
+    def arm(self) -> ArmModel:
+        """The arm as a plan sees it now."""
+        return arm_model(self._controller)
+
+    @property
+    def stands_at_deg(self) -> tuple[float, ...] | None:
+        """The joint angles of an arm at rest, to a degree; ``None`` if they are not known."""
+        now, state = self._controller.operating_state, self._controller.state
+        angles_deg = None if now.moving or now.unreachable else state.angles_deg()
+        return None if angles_deg is None else tuple(float(round(each)) for each in angles_deg)

@@ -14,7 +14,7 @@ from armui.system.clock import steady_s
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
-    from armui.control.run.preflight import RunChecks
+    from armui.control.run.preflight import Checks
     from armui.control.run.runner import Runner
     from armui.trajectory.files import Content
     from armui.trajectory.library.run_options import RunOptions
@@ -87,7 +87,7 @@ class RunRequest:
     def __init__(
         self,
         controller: ArmController,
-        checks: RunChecks,
+        checks: Checks,
         runner: Runner,
         *,
         read: Callable[[Callable[[Content | None], object]], object],
@@ -127,6 +127,11 @@ class RunRequest:
     def is_busy(self) -> bool:
         """True while something is read or checked."""
         return self.state in {RequestState.READING, RequestState.CHECKING}
+
+    @property
+    def asks(self) -> bool:
+        """True while the operator has to agree."""
+        return self.state is RequestState.ASKING
 
     def begin(self) -> None:
         """Begin to read the content."""

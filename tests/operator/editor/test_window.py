@@ -5,6 +5,7 @@ from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QWidget
 
+from armui.control.run.preflight import Checks
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Waypoint
@@ -12,7 +13,6 @@ from armui.ui.background import Background
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_bar import RunChoices
 from tests.app_driver import AtOnce
 from tests.operator.editor.actions import BACK, CTRL, OUT, UP, Editor, notes, to

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.control.run.preflight import Preflight
+from armui.control.run.preflight import Checks, Preflight
 from armui.control.run.progress import OVER, Progress
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.run.runner import ended_early
@@ -41,7 +41,6 @@ from armui.ui.trajectory.editor.point_edits import (
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.layouts import fill, in_column

@@ -12,7 +12,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.ui.background import Job
 
 if TYPE_CHECKING:
-    from armui.ui.background import Background
+    from armui.control.run.preflight import Works
     from armui.ui.trajectory.editor.document import Document
 
 EDIT_UNDER_WAY = Reason(
@@ -54,7 +54,7 @@ class LongEdits(QObject):
         parent: The owner.
     """
 
-    def __init__(self, document: Document, background: Background, parent: QObject) -> None:
+    def __init__(self, document: Document, background: Works, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
         self._background = background

@@ -17,10 +17,10 @@ from armui.ui.trajectory.recording.recording_page import RecordingPage
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
+    from armui.control.run.preflight import Checks
     from armui.trajectory.files import Content
     from armui.trajectory.samples.recording import Recording
     from armui.ui.background import Background
-    from armui.ui.trajectory.running.checks import Checks
     from armui.ui.trajectory.running.run_bar import RunChoices
 
 

@@ -17,7 +17,7 @@ from armui.arm.refusal import Refusal
 from armui.cell.tools import Tool
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
-from armui.control.run.preflight import Preflight
+from armui.control.run.preflight import Checks, Preflight
 from armui.system.atomic import write_whole
 from armui.system.files import error_text
 from armui.trajectory import files
@@ -34,7 +34,6 @@ from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.table_model import plain_table

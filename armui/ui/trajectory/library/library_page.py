@@ -16,7 +16,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.arm_model import arm_model
-from armui.control.run.preflight import Preflight
+from armui.control.run.preflight import Checks, Preflight
 from armui.control.run.progress import Progress
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.run.runner import ended_early
@@ -54,7 +54,6 @@ from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import errno
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -14,7 +12,8 @@ from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.files import TrajectoryFileError
-from armui.trajectory.library.store import LIBRARY_UNREADABLE, Library, LibraryError
+from armui.trajectory.library.store import Library, LibraryError
+from armui.trajectory.library.turns import take_turn
 from armui.ui import words
 from armui.ui.background import Background, Job
 
@@ -79,13 +78,7 @@ class LibraryWork(QObject):
 
 
 def _run_alone(library: Library, action: Callable[[], Result]) -> _Done[Result]:
-    if not library.turn.acquire(blocking=False):
-        # whoever has it waits for a disk that does not answer, and was left behind
-        figures = {"name": str(library.folder), "text": os.strerror(errno.ETIMEDOUT)}
-        return _Done(error=LibraryError(LIBRARY_UNREADABLE(**figures)))
     try:
-        return _Done(action())
+        return _Done(take_turn(library, action))
     except (LibraryError, TrajectoryFileError) as error:
         return _Done(error=error)
-    finally:
-        library.turn.release()

@@ -15,7 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation_of
-from armui.control.run.preflight import Preflight
+from armui.control.run.preflight import Checks, Preflight
 from armui.control.run.recorder import Recorder
 from armui.system.files import size_text
 from armui.trajectory.library.run_options import RunOptions
@@ -30,7 +30,6 @@ from armui.ui.background import Job
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.recording.recorded_curves import RecordedCurves
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row

@@ -15,6 +15,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import operation_of
 from armui.control.run.player import Player, why_not_run
+from armui.control.run.preflight import Checks
 from armui.control.run.progress import ENDLESS, Progress, capped_percent, sent_percent
 from armui.control.run.replay import FULL_PERCENT
 from armui.control.run.run_request import RequestState, RunRequest
@@ -35,7 +36,6 @@ from armui.ui.actions.command import Command, Target, also, of_place
 from armui.ui.actions.keys import keys_of, listen_for
 from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.running.checks import Checks
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
@@ -476,7 +476,7 @@ class RunBar(Translated, QWidget):
     @property
     def _is_asking(self) -> bool:
         """True while the operator has to agree, by another button, to what was sent."""
-        return self._request is not None and self._request.state is RequestState.ASKING
+        return self._request is not None and self._request.asks
 
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""

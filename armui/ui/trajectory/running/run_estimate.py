@@ -9,14 +9,14 @@ from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
 from armui.arm.refusal import Refusal
 from armui.control.run.replay import FULL_PERCENT
+from armui.trajectory.planning.estimate import estimates_s
 from armui.trajectory.samples.recording import Recording
+from armui.ui.background import Job
 
 if TYPE_CHECKING:
-    from armui.control.run.preflight import Preflight
+    from armui.control.run.preflight import Checks, Preflight
     from armui.trajectory.files import Content
     from armui.trajectory.library.run_options import RunOptions
-    from armui.ui.background import Job
-    from armui.ui.trajectory.running.checks import Checks
 
 _PAUSE_MS: Final = 300
 """The pause after a change before the time is worked out, as figures are typed digit by digit."""
@@ -148,7 +148,11 @@ class RunEstimate(QObject):
                 options, percents = self._options(), (FULL_PERCENT, self._percent())
                 counts = bool(options.cycles) and not isinstance(content, Recording)
                 self.from_here = here and counts
-                self._job = self._checks.estimate(content, options, percents, self._on_known)
+                self._job = Job(self._on_known)
+                arm, stands_at_deg = self._checks.arm, self._checks.stands_at_deg
+                self._checks.background.begin(
+                    *(self._job, estimates_s, content, arm, options, percents, stands_at_deg)
+                )
 
         self._content(read)
 
