@@ -33,7 +33,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
-from armui.interface.interface import Interface
+from armui.interface.interface import Interface, Shelf
 from armui.protocol.generation import PiperModel
 from armui.setting_fields import Settings
 from armui.settings import SettingsStore, default_path
@@ -50,9 +50,11 @@ from armui.system.plain_words import language_of_system
 from armui.system.thread_priority import raise_in_background
 from armui.system.version_record import TakenOver, note_version
 from armui.telemetry.events import EventKind, Level
+from armui.ui.background import Background
 from armui.ui.dialogs.kept_models import KeptModels, NodeKeeper, last_model
 from armui.ui.garbage import GarbageSearch
 from armui.ui.main_window import MainWindow
+from armui.ui.shell.trajectory_pages import open_library
 from armui.ui.theme import Theme, apply_theme, make_application
 from armui.ui.translation import Translator
 from armui.ui.widgets.icons import load_all as load_icons
@@ -199,6 +201,8 @@ class Program:
             none.
         clock: Monotonic time in seconds, the controller's.
         socket: That of the local interface; the user's own by default.
+        for_clients: Runs the checks of its clients, for which the operator's own never wait; by
+            default the workers.
 
     Attributes:
         controller, view, window, interface: Its main objects.
@@ -221,6 +225,7 @@ class Program:
         hand: Callable[[], HandGuide | None] = lambda: None,
         clock: Callable[[], float] = steady_s,
         socket: Path | None = None,
+        for_clients: Executor | None = None,
     ) -> None:
         self._app = app
         self._store = store
@@ -231,10 +236,14 @@ class Program:
         self.controller = controller
         self.ended = self._is_down = False
         self.closed = threading.Event()
-        self._workers, self._files = workers, files
+        self._workers, self._files, self._for_clients = workers, files, for_clients or workers
         urdf = Path(settings.urdf_path) if settings.urdf_path else None
         self.view = ArmView(urdf, client=pictures)
-        self.interface = Interface(controller, socket or paths.runtime() / "api.sock", clock)
+        folder = trajectories or paths.trajectories()
+        self.interface = Interface(
+            *(controller, socket or paths.runtime() / "api.sock", clock),
+            shelf=Shelf(Background(self._for_clients, files), partial(open_library, folder, files)),
+        )
         self.window = MainWindow(
             *(self.controller, self.view, store, workers, trajectories),
             files=files,
@@ -248,7 +257,6 @@ class Program:
         controller.model_watch.assume(last_model(settings.models))
         self._node_keeper = NodeKeeper(controller, KeptModels(store))
         controller.cell.use_own_tool(settings.tool)
-        folder = trajectories or paths.trajectories()
         self._cell_keeper = CellKeeper(
             *(store, folder, files or workers),
             loaded=controller.cell.take_loaded,
@@ -346,6 +354,7 @@ class Program:
             self.ended = self.ended and self._files.ended
         self.view.shutdown()
         self._workers.shutdown()
+        self._for_clients.shutdown()
         if self._instances is not None:
             self._instances.close()
 
@@ -448,6 +457,7 @@ def _run(options: StartOptions) -> int:
         files=FileThread(),
         events=paths.logs(),
         hand=lambda: arms.hand,
+        for_clients=HelperProcess(),
     )
     app.aboutToQuit.connect(program.shutdown)
     program.note_version(paths.trajectories())

@@ -19,12 +19,15 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QCoreApplication, QSocketNotifier
 
 from armui.control.arm_controller import ArmController
-from armui.interface.interface import Interface
+from armui.interface.interface import Interface, Shelf
 from armui.interface.interface_view import InterfaceView
 from armui.interface.messages import english
 from armui.simulated_arms import SIMULATED, SimulatedArms
 from armui.system import paths
 from armui.system.clock import steady_s
+from armui.system.helper_process import FileThread, HelperProcess
+from armui.ui.background import Background
+from armui.ui.shell.trajectory_pages import open_library
 
 if TYPE_CHECKING:
     import can
@@ -54,11 +57,14 @@ def run(options: argparse.Namespace) -> int:
     app = QCoreApplication.instance() or QCoreApplication(sys.argv[:1])
     arms = SimulatedArms(options.firmware, options.joints)
     controller = ArmController(partial(_open, arms), SIMULATED)
+    workers, files = HelperProcess(), FileThread()
+    folder = Path(options.trajectories) if options.trajectories else paths.trajectories()
     interface = Interface(
         controller,
         Path(options.socket) if options.socket else socket_path(),
         steady_s,
         grants_itself=options.grant,
+        shelf=Shelf(Background(workers, files), partial(open_library, folder, files)),
     )
     device = next(each for each in SIMULATED if each.generation == options.generation)
     controller.connect_device(replace(device, model=options.model))
@@ -93,6 +99,8 @@ def run(options: argparse.Namespace) -> int:
         app.exec()
     interface.end()
     controller.shutdown()
+    files.shutdown()
+    workers.shutdown()
     arms.end()
     return code
 

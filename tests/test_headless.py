@@ -5,11 +5,16 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
 
 from armui import cli
+from armui.interface.state_report import FIELDS
+from armui.protocol.codes import MoveMode
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
 
 ARMUI = (sys.executable, "-m", "armui")
 
@@ -17,7 +22,10 @@ ARMUI = (sys.executable, "-m", "armui")
 @pytest.fixture
 def served(tmp_path):
     path = tmp_path / "private" / "api.sock"
+    library = Library(tmp_path / "library")
+    library.save(Trajectory("way", points=(Waypoint(MoveMode.MOVE_J, (9.0, 10.0, *(0.0,) * 4)),)))
     command = [*ARMUI, "sim", "--api-on", "--grant", "--socket", str(path)]
+    command += ["--trajectories", str(library.folder)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as program:
         assert str(path) in program.stdout.readline()
         yield program, path
@@ -31,13 +39,20 @@ def test_a_script_enables_the_arm_and_moves_it(served):
     with socket.socket(socket.AF_UNIX) as one:
         one.settimeout(20.0)
         one.connect(str(path))
-        lines = one.makefile("rw", encoding="utf-8")
+        lines = one.makefile("r", encoding="utf-8")
+        writing, ended = threading.Lock(), threading.Event()
+
+        def say(**call):
+            with writing:
+                one.sendall(json.dumps({"jsonrpc": "2.0", **call}).encode() + b"\n")
 
         def ask(method, **params):
-            call = {"jsonrpc": "2.0", "id": 1, "method": method, "params": params}
-            lines.write(json.dumps(call) + "\n")
-            lines.flush()
+            say(id=1, method=method, params=params)
             return next(each for each in map(json.loads, lines) if "id" in each)
+
+        def stay():  # a check may take longer than a silent client keeps the lease
+            while not ended.wait(0.2):
+                say(method="ping")
 
         def measured():
             return ask("state.get")["result"]["measured"]
@@ -49,12 +64,20 @@ def test_a_script_enables_the_arm_and_moves_it(served):
                 time.sleep(0.1)
 
         ask("hello", client="a script", protocol=1)
+        stays = threading.Thread(target=stay)
+        stays.start()
         lease = ask("lease.request", purpose="a test")["result"]["lease"]
         assert "result" in ask("motors.enable", lease=lease)
         until(lambda: all(measured()["enabled"]["value"]))
         there = [5.0, 10.0, -10.0, 0.0, 0.0, 0.0]
         assert "result" in ask("motion.send", lease=lease, angles_deg=there)
         until(lambda: measured()["joints_deg"]["value"] == pytest.approx(there, abs=0.1))
+        assert [each["name"] for each in ask("trajectory.list")["result"]] == ["way"]
+        assert ask("trajectory.check", name="way")["result"]["errors"] == 0
+        assert "number" in ask("trajectory.run", lease=lease, name="way")["result"]
+        until(lambda: measured()["joints_deg"]["value"][0] == pytest.approx(9.0, abs=0.1))
+        ended.set()
+        stays.join()
 
 
 @pytest.mark.parametrize(
@@ -81,5 +104,24 @@ def test_the_schema_has_every_operation_that_is_offered(capsys):
         each for each in methods["motion.set_speed"]["params"] if each["name"] == "percent"
     )
     assert percent["schema"] == {"type": "number", "minimum": 0, "maximum": 100, "x-unit": "%"}
+    of = {
+        (name, each["name"]): (each["required"], each["schema"])
+        for name, method in methods.items()
+        for each in method["params"]
+    }
+    assert of["state.subscribe", "rate_hz"][1] == {
+        "type": "number",
+        "minimum": 0.1,
+        "maximum": 200.0,
+        "x-unit": "Hz",
+        "default": 10.0,
+    }
+    assert of["state.get", "fields"][1]["items"]["enum"] == list(FIELDS)
+    assert of["hello", "client"] == (True, {"type": "string", "minLength": 1, "maxLength": 80})
+    pose = {"type": "array", "items": {"type": "number"}, "minItems": 6, "maxItems": 6}
+    assert of["stream.target", "flange_pose_mm_deg"] == (False, {**pose, "x-unit": "mm, °"})
+    assert of["trajectory.run", "lease"][0]
+    assert ("trajectory.check", "lease") not in of
+    assert all("schema" in each["result"] for each in methods.values())
     assert methods["motors.enable"]["x-asks-the-operator"] is True
     assert methods["motion.send"]["x-asks-the-operator"] is False

@@ -8,24 +8,25 @@ from __future__ import annotations
 
 import errno
 import sys
-from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from armui import __version__
-from armui.arm.limits import JOINTS, check_joints
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.limits import check_joints
+from armui.arm.refusal import Refusal
 from armui.control.events import Event, Notice
 from armui.control.motion.motion_command import Mover
-from armui.control.motion.target_stream import REST_S, SETTLING_S, STREAM_DEG_S, TargetJog
+from armui.control.motion.target_stream import TargetJog, angles_of_pose
 from armui.control.operating_state import StopState
 from armui.control.operations.operation import Consent
 from armui.control.operations.started import Ending, Started
+from armui.control.safety.interlocks import JOINTS_UNKNOWN
+from armui.interface import answers, reasons
 from armui.interface.interface_view import Consented, InterfaceView
 from armui.interface.lease import (
     GRANT_WITHIN_S,
@@ -41,13 +42,12 @@ from armui.interface.lease import (
     LEASE_STOPPED,
     LEASE_TAKEN_BACK,
     LEASE_TOO_FAST,
-    SILENT_S,
     Ask,
     Lease,
     Lessor,
+    fault_of,
 )
 from armui.interface.messages import (
-    PROTOCOL,
     Call,
     CallError,
     Code,
@@ -59,84 +59,43 @@ from armui.interface.messages import (
     plain_outcome,
     refused,
 )
-from armui.interface.plain_forms import WITHOUT, arguments, asks, offered, six
-from armui.protocol.codes import ArmStatusCode
-from armui.telemetry.events import Asker, EventKind, EventOutcome, Level
+from armui.interface.methods import METHODS, read
+from armui.interface.plain_forms import WITHOUT, asks, taken
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.link.arm_mark import ArmMark
     from armui.control.operating_state import OperatingState
-    from armui.control.operations.operation import BoundOperation
+    from armui.control.operations.operation import BoundOperation, Operation
+    from armui.control.run.preflight import Works
+    from armui.control.run.run_request import RunRequest
     from armui.interface.server import ClientSession, Server, Target
-
-INTERFACE_NOT_HERE = Reason(
-    "interface_not_here", "The local interface is offered on Linux only, for now."
-)
-INTERFACE_TAKEN = Reason(
-    "interface_taken",
-    "Another armui of yours serves {path} already. Switch its interface off, or close it.",
-)
-INTERFACE_NOT_OPENED = Reason(
-    "interface_not_opened", "The local interface cannot be opened at {path}: {text}."
-)
-CONSENT_NOT_GIVEN = Reason(
-    "consent_not_given", "The operator did not hold the button within {seconds} s."
-)
-CONSENT_BUSY = Reason(
-    "consent_busy", "The operator is being asked about something else of yours. Wait for that."
-)
-LEASE_ASKED = Notice(
-    "lease_asked",
-    "“{client}” asks for the arm: {purpose}",
-    kind=EventKind.COMMAND,
-    asker=Asker.CLIENT,
-)
-LEASE_GRANTED = Notice(
-    "lease_granted",
-    "The operator has granted “{client}” the arm, at most at {percent} %.",
-    Level.WARNING,
-    EventKind.COMMAND,
-)
-LEASE_ENDED = Notice(
-    "lease_ended",
-    "“{client}” no longer moves the arm. {reason}",
-    Level.WARNING,
-    EventKind.COMMAND,
-    Asker.CLIENT,
-)
-LEASE_REFUSED = Notice(
-    "lease_refused",
-    "“{client}” was not granted the arm. {reason}",
-    kind=EventKind.COMMAND,
-    asker=Asker.CLIENT,
-)
-CLIENT_ASKS = Notice(
-    "client_asks", "“{client}” asks: {operation}", kind=EventKind.COMMAND, asker=Asker.CLIENT
-)
-CONSENT_GRANTED = Notice(
-    "consent_granted",
-    "The operator has let “{client}” do it: {operation}",
-    kind=EventKind.COMMAND,
-)
+    from armui.interface.trajectories import Trajectories
+    from armui.telemetry.events import EventOutcome
+    from armui.trajectory.library.store import Library
+    from armui.trajectory.planning.findings import Finding
 
 _TICK_MS: Final = 33
-_FAULTS: Final = frozenset(
-    {
-        ArmStatusCode.JOINT_COMMUNICATION_FAULT,
-        ArmStatusCode.JOINT_BRAKE_CLOSED,
-        ArmStatusCode.COLLISION,
-        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
-        ArmStatusCode.JOINT_STATUS_ABNORMAL,
-        ArmStatusCode.OTHER_FAULT,
-        ArmStatusCode.MAIN_CONTROLLER_TOO_HOT,
-        ArmStatusCode.BRAKE_RESISTOR_TOO_HOT,
-    }
-)
+_RUN: Final = "run.start"
+_OF_LIBRARY: Final = ("trajectory.list", "trajectory.get", "trajectory.check", "trajectory.plan")
 _OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
 _MOST_MOVING: Final = 64
-"""The newest operations of a lease: among them are the motion under way and the one that waits."""
+"""The newest operations of a lease: among them, and those that have not ended, are the motion under
+way and the one that waits."""
 _LONGEST_TEXT: Final = 200
+
+
+@dataclass(frozen=True, slots=True)
+class Shelf:
+    """The library, as clients have it.
+
+    Attributes:
+        works: Runs their checks, and reads its files.
+        library: Makes it, once the first client asks.
+    """
+
+    works: Works
+    library: Callable[[], Library]
 
 
 @dataclass(slots=True)
@@ -164,6 +123,7 @@ class Interface(QObject):
         clock: Monotonic time in seconds, the controller's.
         grants_itself: True where no operator is: everything is granted, and nobody is asked. Only
             for a simulated arm on a bus of its own.
+        shelf: The library; without one its methods are not there.
 
     Signals:
         changed: A :class:`InterfaceView`, when it differs.
@@ -182,6 +142,7 @@ class Interface(QObject):
         clock: Callable[[], float],
         *,
         grants_itself: bool = False,
+        shelf: Shelf | None = None,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
@@ -189,6 +150,7 @@ class Interface(QObject):
         self._path = path
         self._clock = clock
         self._grants_itself = grants_itself
+        self._shelf = shelf
         self._server: Server | None = None
         self._serves = False
         self._lessor = Lessor()
@@ -201,21 +163,26 @@ class Interface(QObject):
         self._last_stream: Started | None = None
         self._most_percent = 0
         self._slowed = False
-        self._moving: deque[Started] = deque(maxlen=_MOST_MOVING)
+        self._moving: list[Started] = []
         self._calling = False
         self._doing: Started | None = None
         self._problem: Refusal | None = None
         self._view = InterfaceView()
-        self._methods: Mapping[str, Callable[[_Waiting], object]] = {
-            "hello": self._hello,
+        self._trajectories: Trajectories | None = None
+        self._run: tuple[_Waiting, RunRequest] | None = None
+        self._methods: Mapping[str, Callable[..., object]] = {
+            "hello": lambda waiting, **_: answers.hello(controller, waiting.session.client.number),
             "stop": self._stop,
             "halt": self._halt,
-            "operations.list": self._operations,
-            "kinematics.fk": self._kinematics,
-            "kinematics.ik": self._kinematics,
+            "operations.list": lambda _waiting: answers.operations(controller),
+            "kinematics.fk": lambda _waiting, **named: answers.forward(controller, **named),
+            "kinematics.ik": lambda _waiting, **named: answers.inverse(controller, **named),
             "lease.request": self._ask,
             "lease.release": self._release,
             "stream.end": self._stream_ends,
+            **{each: partial(self._ask_library, each) for each in _OF_LIBRARY},
+            "trajectory.run": self._run_trajectory,
+            "trajectory.stop": self._end_motion,
         }
         queued = Qt.ConnectionType.QueuedConnection
         self._opened.connect(self._on_opened, queued)
@@ -252,7 +219,7 @@ class Interface(QObject):
     def _open(self) -> Refusal | None:
         system: str = sys.platform  # its type: checked for every system
         if system != "linux":
-            return INTERFACE_NOT_HERE()
+            return reasons.INTERFACE_NOT_HERE()
         from armui.interface.server import Server  # noqa: PLC0415 - asyncio
 
         server = self._server = Server(
@@ -278,9 +245,9 @@ class Interface(QObject):
             taken = error.errno == errno.EADDRINUSE
             path, text = str(self._path), str(error)
             self._problem = (
-                INTERFACE_TAKEN(path=path)
+                reasons.INTERFACE_TAKEN(path=path)
                 if taken
-                else (INTERFACE_NOT_OPENED(path=path, text=text))
+                else (reasons.INTERFACE_NOT_OPENED(path=path, text=text))
             )
         self._show()
 
@@ -307,10 +274,12 @@ class Interface(QObject):
         waiting, self._asking = self._asking, None
         now = self._controller.operating_state
         self._mark = self._controller.mark
-        self._began = now.stop, _fault_of(now)
+        self._began = now.stop, fault_of(now.status)
         self._most_percent, self._slowed = lease.max_speed_percent, False
         self._cap_speed(lease)
-        self._tell(LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent)
+        self._tell(
+            reasons.LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent
+        )
         if waiting is not None:
             self._holder = waiting.session
             value = {"lease": lease.number, "max_speed_percent": lease.max_speed_percent}
@@ -329,16 +298,27 @@ class Interface(QObject):
 
     def consent(self, *, given: bool) -> None:
         """Let the client do what it asks for, or not; the operator has held the button, or not."""
-        waiting, self._consent = self._consent, None
-        if waiting is None or waiting.bound is None:
+        if not given:
+            self._refuse_consent(LEASE_DECLINED())
             return
-        if given:
-            told = waiting.told
-            if told is not None:
-                self._tell(CONSENT_GRANTED, client=str(told.client), operation=told.title)
+        waiting, self._consent = self._consent, None
+        if waiting is None or waiting.told is None:
+            return
+        told = waiting.told
+        self._tell(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
+        if self._run is not None and self._run[0] is waiting:
+            self._run[1].accept()
+        elif waiting.bound is not None:
             self._begin(waiting.session, waiting.call, waiting.bound)
-        else:
-            self._answer(waiting, refused(LEASE_DECLINED()))
+        self._show()
+
+    def _refuse_consent(self, reason: Refusal) -> None:
+        """Answer the call that waits for the operator's consent, and drop it."""
+        waiting = self._consent
+        if self._run is not None and self._run[0] is waiting:
+            self._give_up_run(reason)
+        elif waiting is not None:
+            self._answer(waiting, refused(reason))
         self._show()
 
     # From the server's thread -----------------------------------------------------------------
@@ -372,7 +352,9 @@ class Interface(QObject):
         call = waiting.call
         own = self._methods.get(call.method)
         if own is not None:
-            return own(waiting)
+            if METHODS[call.method].leased:
+                self._lease_of(waiting)
+            return own(waiting, **read(call.method, call.params))
         bound = self._controller.operations.get(call.method)
         if bound is None or call.method in WITHOUT:
             why = f" {WITHOUT[call.method]}." if call.method in WITHOUT else ""
@@ -389,106 +371,30 @@ class Interface(QObject):
             raise refused(refusal)
         return {}
 
-    def _release(self, waiting: _Waiting) -> Json:
-        self._lease_of(waiting)
+    def _release(self, _waiting: _Waiting) -> Json:
         self._end_lease(LEASE_RELEASED())
         return {}
 
-    def _stream_ends(self, waiting: _Waiting) -> Json:
-        self._lease_of(waiting)
+    def _stream_ends(self, _waiting: _Waiting) -> Json:
         self._end_stream()
         return {}
 
-    def _hello(self, waiting: _Waiting) -> Json:
-        now = self._controller.operating_state
-        return {
-            "program": "armui",
-            "version": __version__,
-            "protocol": PROTOCOL,
-            "client": waiting.session.client.number,
-            "arm": {
-                "link": now.link.name.lower(),
-                "device": None if now.device is None else now.device.label or now.device.channel,
-                "simulated": now.device is not None and now.device.simulated,
-                "model": now.model.value,
-                "generation": None if now.generation is None else int(now.generation),
-                "firmware": self._controller.state.firmware,
-            },
-            "limits": [
-                {
-                    "min_deg": each.min_deg,
-                    "max_deg": each.max_deg,
-                    "max_speed_deg_s": each.max_speed_deg_s,
-                }
-                for each in now.limits
-            ],
-            "rates": {
-                "state_hz": 200.0,
-                "stream_hz": [10.0, 100.0],
-                "stream_max_deg_s": STREAM_DEG_S,
-                "stream_smoothing_s": SETTLING_S,
-                "stream_rests_after_s": REST_S,
-                "silent_after_s": SILENT_S,
-            },
-        }
-
-    def _operations(self, _waiting: _Waiting) -> list[Json]:
-        now = self._controller.operating_state
-        listed = []
-        for bound in offered(self._controller.operations):
-            operation = bound.operation
-            refusal = operation.why_not_now(now)
-            listed.append(
-                {
-                    "id": operation.id,
-                    "title": operation.title,
-                    "moves": operation.moves,
-                    "asks_the_operator": asks(operation),
-                    "why_not": None if refusal is None else plain(refusal),
-                }
-            )
-        return listed
-
-    def _kinematics(self, waiting: _Waiting) -> Json:
-        call, kinematics = waiting.call, self._controller.cartesian.kinematics()
-        if call.method == "kinematics.fk":
-            pose = kinematics.forward(six("joints_deg", call.params.get("joints_deg")))
-            return {"flange_pose_mm_deg": plain(tuple(pose))}
-        from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
-
-        pose = Pose(*six("flange_pose_mm_deg", call.params.get("flange_pose_mm_deg")))
-        near = call.params.get("near_deg")
-        measured = self._controller.state.angles_deg()
-        near_deg = six("near_deg", near) if near is not None else measured or (0.0,) * len(JOINTS)
-        limits = self._controller.operating_state.limits
-        found = kinematics.inverse(pose, near_deg)
-        within = [each for each in found if check_joints(each, limits) is None]
-        return {"joints_deg": plain([tuple(each) for each in within])}
-
     # The lease --------------------------------------------------------------------------------
 
-    def _ask(self, waiting: _Waiting) -> None:
-        params = waiting.call.params
-        purpose, moves = params.get("purpose", ""), params.get("moves", True)
-        percent = params.get("max_speed_percent", 100)
-        is_whole = isinstance(percent, int) and not isinstance(percent, bool)
-        if not is_whole or not 1 <= percent <= 100:
-            raise CallError(Code.PARAMS, "“max_speed_percent” must be a whole number, 1 to 100.")
-        if not isinstance(moves, bool) or not isinstance(purpose, str):
-            raise CallError(Code.PARAMS, "“moves” must be true or false, “purpose” a text.")
+    def _ask(self, waiting: _Waiting, *, purpose: str, moves: bool, max_speed_percent: int) -> None:
         purpose = "".join(each for each in purpose if each.isprintable())[:_LONGEST_TEXT]
         client = waiting.session.client
         refusal = self._why_no_lease() or self._lessor.ask(
-            Ask(client, purpose, moves, percent, self._clock())
+            Ask(client, purpose, moves, max_speed_percent, self._clock())
         )
         if refusal is not None:
             raise refused(refusal)
-        self._tell(LEASE_ASKED, client=str(client), purpose=purpose)
+        self._tell(reasons.LEASE_ASKED, client=str(client), purpose=purpose)
         self._asking = waiting
         if self._lessor.held is not None:
             self._granted(self._lessor.held)
         elif self._grants_itself:
-            self.grant(percent)
+            self.grant(max_speed_percent)
 
     def _why_no_lease(self) -> Refusal | None:
         """Return why nobody can be granted the arm now, or ``None``."""
@@ -505,7 +411,7 @@ class Interface(QObject):
         ask, waiting = self._lessor.decline(), self._asking
         self._asking = None
         if ask is not None:
-            self._tell(LEASE_REFUSED, client=str(ask.client), reason=reason)
+            self._tell(reasons.LEASE_REFUSED, client=str(ask.client), reason=reason)
         if waiting is not None:
             self._answer(waiting, refused(reason))
         self._show()
@@ -515,21 +421,20 @@ class Interface(QObject):
         lease = self._lessor.end()
         if lease is None:
             return
-        consent, self._consent = self._consent, None
-        if consent is not None:
-            self._answer(consent, refused(reason))
         self._end_stream()
         self._doing = None
         # a stop has gone out and says more; of another's motion, the operator's too, nothing ends
         if reason.reason != LEASE_STOPPED:
             self._controller.end_motion_of(self._moving)
         self._moving.clear()
-        self._tell(LEASE_ENDED, client=str(lease.ask.client), reason=reason)
+        self._tell(reasons.LEASE_ENDED, client=str(lease.ask.client), reason=reason)
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
             if self._holder is not None:
                 self._server.tell("lease", params, self._holder)
             self._holder = None
+        self._refuse_consent(reason)  # told after the lease's end, by which the client reads it
+        self._give_up_run(reason)
         self._show()
 
     def _cap_speed(self, lease: Lease) -> None:
@@ -548,7 +453,7 @@ class Interface(QObject):
         operation = bound.operation
         if operation.moves and not lease.ask.moves:
             raise refused(LEASE_MOVES_NOTHING())
-        self._arguments(waiting.call, bound)  # what is malformed asks nobody
+        taken(bound.carry_out, waiting.call.params)  # what is malformed asks nobody
         if operation.id == "motion.set_speed":
             percent = waiting.call.params["percent"]
             if self._slowed:  # the operator's speed holds: the client may only go slower
@@ -557,41 +462,53 @@ class Interface(QObject):
             if percent > self._most_percent:
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
-        self._tell(CLIENT_ASKS, client=str(client), operation=operation.title)
+        self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
         if asks(operation) and not self._grants_itself:
             if self._consent is not None:
-                raise refused(CONSENT_BUSY())
+                raise refused(reasons.CONSENT_BUSY())
             waiting.bound = bound
             given = {name: each for name, each in waiting.call.params.items() if name != "lease"}
-            told = Consented(client, operation.id, operation.title, given, waiting.since_s)
-            waiting.told = told
-            self._consent = waiting
+            self._ask_consent(waiting, operation, given)
             return None
         self._begin(waiting.session, waiting.call, bound)
         return None
 
-    @staticmethod
-    def _arguments(call: Call, bound: BoundOperation) -> tuple[list[object], dict[str, object]]:
-        params = {name: value for name, value in call.params.items() if name != "lease"}
-        return arguments(bound, params)
+    def _ask_consent(
+        self,
+        waiting: _Waiting,
+        operation: Operation,
+        given: Mapping[str, object],
+        findings: tuple[Finding, ...] = (),
+    ) -> None:
+        """Ask the operator to let the client do something."""
+        client, now_s = waiting.session.client, self._clock()
+        waiting.told = Consented(client, operation.id, operation.title, given, now_s, findings)
+        self._consent = waiting
+
+    def _by_client(self, act: Callable[[], Any], *, moves: bool = True) -> Any:
+        """Call what a client has asked for, and return what it returns."""
+        lease = self._lessor.held
+        if moves:
+            if lease is not None:
+                self._cap_speed(lease)
+            self._end_stream()
+        self._calling = True
+        try:
+            return act()
+        finally:
+            self._calling = False
 
     def _begin(self, session: ClientSession, call: Call, bound: BoundOperation) -> None:
         waiting = _Waiting(session, call, self._clock())
-        lease = self._lessor.held
         try:
-            positional, named = self._arguments(call, bound)
+            positional, named = taken(bound.carry_out, call.params)
         except CallError as wrong:
             self._answer(waiting, wrong)
             return
-        if lease is not None and bound.operation.moves:
-            self._cap_speed(lease)
-        if bound.operation.moves and not bound.operation.id.startswith("gripper."):
-            self._end_stream()  # the gripper moves beside the joints
-        self._calling = True
-        try:
-            begun = bound.carry_out(*positional, **named)
-        finally:
-            self._calling = False
+        act = partial(bound.carry_out, *positional, **named)
+        operation = bound.operation  # the gripper moves beside the joints
+        moves = operation.moves and not operation.id.startswith("gripper.")
+        begun = self._by_client(act, moves=moves)
         if isinstance(begun, Refusal):
             self._answer(waiting, refused(begun))
         elif isinstance(begun, Started):
@@ -601,7 +518,9 @@ class Interface(QObject):
             self._answer(waiting, {"number": None})
 
     def _follow_outcome(self, session: ClientSession, started: Started) -> None:
-        self._moving.append(started)
+        kept = self._moving[-_MOST_MOVING:]
+        going = [each for each in self._moving[:-_MOST_MOVING] if each.ending is None]
+        self._moving = [*going, *kept, started]
         self._followed.append(_Followed(session, started))
         self._doing = started
 
@@ -620,6 +539,73 @@ class Interface(QObject):
             self._end_lease(LEASE_STOPPED())
         if self._lessor.asked is not None:
             self._give_up_asking(LEASE_STOPPED())
+
+    # The library ------------------------------------------------------------------------------
+
+    def _library(self) -> Trajectories:
+        if self._shelf is None:
+            raise CallError(Code.METHOD, "No library is offered here.")
+        if self._trajectories is None:
+            from armui.interface import trajectories  # noqa: PLC0415 - numpy, scipy
+
+            controller, clock = self._controller, self._clock
+            runner = trajectories.ClientRunner(controller, self._by_client, self)
+            self._trajectories = trajectories.Trajectories(
+                *(controller, self._shelf.works, self._shelf.library(), runner, clock)
+            )
+        return self._trajectories
+
+    def _ask_library(self, method: str, waiting: _Waiting, **named: Any) -> None:
+        def answer(value: object) -> None:
+            self._answer(waiting, refused(value) if isinstance(value, Refusal) else value)
+
+        self._library().ask(method, waiting.session.client.number, answer, **named)
+
+    def _run_trajectory(self, waiting: _Waiting, *, name: str, cycles: int, first_row: int) -> None:
+        """Have a trajectory checked and run, with the questions of the operator's own press."""
+        if not self._lease_of(waiting).ask.moves:
+            raise refused(LEASE_MOVES_NOTHING())
+        if self._run is not None:
+            raise refused(reasons.CONSENT_BUSY())
+        title = self._controller.operations[_RUN].operation.title
+        self._tell(reasons.CLIENT_ASKS, client=str(waiting.session.client), operation=title)
+        request = self._library().run(
+            *(name, cycles, first_row), partial(self._on_run, waiting), self._give_up_run
+        )
+        self._run = waiting, request
+        request.begin()
+
+    def _on_run(self, waiting: _Waiting, request: RunRequest) -> None:
+        """Answer a run once it has begun, or is refused; ask the operator where he has to agree."""
+        if self._run is None or self._run[1] is not request:
+            return
+        begun, checked = self._library().runner.begun, request.checked
+        if request.asks and self._grants_itself:
+            request.accept()
+        elif request.asks and self._consent is not None:
+            self._give_up_run(reasons.CONSENT_BUSY())
+        elif request.asks and checked is not None:
+            operation = self._controller.operations[_RUN].operation
+            self._ask_consent(waiting, operation, {"name": request.name}, checked.findings)
+        elif request.refusal is not None:
+            self._give_up_run(request.refusal)
+        elif request.is_over and begun is not None:
+            self._answer(waiting, {"number": begun.number})
+            self._follow_outcome(waiting.session, begun)
+        self._show()
+
+    def _give_up_run(self, reason: Refusal) -> None:
+        """Refuse the run that has not begun yet."""
+        if self._run is not None:
+            waiting, request = self._run
+            self._answer(waiting, refused(reason))
+            request.give_up()
+
+    def _end_motion(self, _waiting: _Waiting) -> Json:
+        self._give_up_run(reasons.RUN_CALLED_OFF())
+        self._end_stream()
+        self._controller.end_motion_of(self._moving)
+        return {}
 
     # The stream -------------------------------------------------------------------------------
 
@@ -644,12 +630,16 @@ class Interface(QObject):
             return lease
         if not lease.ask.moves:
             return LEASE_MOVES_NOTHING()
-        refusal = check_joints(target.joints_deg, self._controller.operating_state.limits)
         jogging = self._controller.jogging
-        streamed = jogging.streamed
+        streamed, joints_deg = jogging.streamed, self._angles_of(target)
+        if isinstance(joints_deg, Refusal):
+            if streamed is not None:
+                streamed.rest()
+            return joints_deg
+        refusal = check_joints(joints_deg, self._controller.operating_state.limits)
         if streamed is not None:
             before = streamed.refusal
-            streamed.take(target.joints_deg)
+            streamed.take(joints_deg)
             jogging.tick()
             return refusal or before or streamed.refusal
         if refusal is not None:
@@ -659,16 +649,25 @@ class Interface(QObject):
             reason = last.result.params.get("reason")
             return reason if isinstance(reason, Refusal) else last.result
         self._cap_speed(lease)
-        self._calling = True
-        try:
-            begun = jogging.start(TargetJog(str(target.session.client), target.joints_deg))
-        finally:
-            self._calling = False
+        begun = self._by_client(
+            lambda: jogging.start(TargetJog(str(target.session.client), joints_deg)), moves=False
+        )
         if isinstance(begun, Refusal):
             return begun
         self._last_stream = begun
         self._follow_outcome(target.session, begun)
         return None
+
+    def _angles_of(self, target: Target) -> tuple[float, ...] | Refusal:
+        """Return the angles of a target, or why its pose cannot be followed."""
+        if target.joints_deg is not None or target.flange_pose_mm_deg is None:
+            return target.joints_deg or ()
+        controller = self._controller
+        near_deg = controller.jogging.setpoint_deg or controller.state.angles_deg()
+        if near_deg is None:
+            return JOINTS_UNKNOWN()
+        limits, kinematics = controller.operating_state.limits, controller.cartesian.kinematics()
+        return angles_of_pose(kinematics, target.flange_pose_mm_deg, near_deg, limits)
 
     def _end_stream(self) -> None:
         self._last_stream = None
@@ -696,9 +695,9 @@ class Interface(QObject):
             else:
                 self._cap_speed(self._lessor.held)
         consent = self._consent
-        if consent is not None and now_s - consent.since_s > GRANT_WITHIN_S:
-            self._consent = None
-            self._answer(consent, refused(CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S))))
+        told = None if consent is None else consent.told
+        if told is not None and now_s - told.since_s > GRANT_WITHIN_S:
+            self._refuse_consent(reasons.CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S)))
         self._tell_outcomes()
         self._show()
 
@@ -713,12 +712,12 @@ class Interface(QObject):
             return now.other_host.refusal
         if now.mover in _OTHERS:
             return LEASE_OTHER_HOST()
-        stop, fault = self._began or (now.stop, _fault_of(now))
+        stop, fault = self._began or (now.stop, fault_of(now.status))
         if now.stop is not stop and now.stop in {StopState.REQUESTED, StopState.STOPPED}:
             return LEASE_STOPPED()
-        if _fault_of(now) not in {None, fault}:
+        if fault_of(now.status) not in {None, fault}:
             return LEASE_FAULT()
-        self._began = now.stop, _fault_of(now)
+        self._began = now.stop, fault_of(now.status)
         return None
 
     def _tell_outcomes(self) -> None:
@@ -763,6 +762,10 @@ class Interface(QObject):
         self._controller.noticed.emit(Event(datetime.now().astimezone(), notice, params))
 
     def _answer(self, waiting: _Waiting, value: object | CallError) -> None:
+        if self._run is not None and self._run[0] is waiting:
+            self._run = None
+        if self._consent is waiting:
+            self._consent = None
         if self._server is not None:
             self._server.answer(waiting.session, waiting.call, value)
 
@@ -781,8 +784,3 @@ class Interface(QObject):
         if view != self._view:
             self._view = view
             self.changed.emit(view)
-
-
-def _fault_of(now: OperatingState) -> int | None:
-    code = None if now.status is None else now.status.arm_status
-    return code if code in _FAULTS else None

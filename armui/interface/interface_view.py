@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from armui.arm.refusal import Refusal
 from armui.interface.lease import Ask, Client, Lease
+
+if TYPE_CHECKING:
+    from armui.trajectory.planning.findings import Finding
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +23,7 @@ class Consented:
         title: Its title in English.
         arguments: What it is called with.
         since_s: Monotonic time.
+        findings: What the check of a run has found, which the operator has to accept.
     """
 
     client: Client
@@ -26,6 +31,7 @@ class Consented:
     title: str
     arguments: Mapping[str, object]
     since_s: float
+    findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

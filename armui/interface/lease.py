@@ -11,6 +11,8 @@ from itertools import count
 from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.arm.state import Status
+from armui.protocol.codes import ArmStatusCode
 
 LEASE_TAKEN = Reason(
     "lease_taken",
@@ -52,6 +54,18 @@ LEASE_TOO_FAST = Reason(
 GRANT_WITHIN_S: Final = 30.0
 SILENT_S: Final = 1.0
 """A client that has said nothing for this time loses the lease."""
+_FAULTS: Final = frozenset(
+    {
+        ArmStatusCode.JOINT_COMMUNICATION_FAULT,
+        ArmStatusCode.JOINT_BRAKE_CLOSED,
+        ArmStatusCode.COLLISION,
+        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
+        ArmStatusCode.JOINT_STATUS_ABNORMAL,
+        ArmStatusCode.OTHER_FAULT,
+        ArmStatusCode.MAIN_CONTROLLER_TOO_HOT,
+        ArmStatusCode.BRAKE_RESISTOR_TOO_HOT,
+    }
+)
 _NUMBERS: Final = count(1)
 
 
@@ -188,3 +202,9 @@ class Lessor:
         if held is None or held.number != number or held.ask.client.number != client.number:
             return LEASE_NOT_HELD()
         return held
+
+
+def fault_of(status: Status | None) -> int | None:
+    """Return the code of a fault that the arm reports, which ends a lease, or ``None``."""
+    code = None if status is None else status.arm_status
+    return code if code in _FAULTS else None

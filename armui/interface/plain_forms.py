@@ -9,11 +9,22 @@ from __future__ import annotations
 import enum
 import inspect
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
 from types import UnionType
-from typing import TYPE_CHECKING, Annotated, Any, Final, Union, get_args, get_origin, get_type_hints
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Final,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
-from armui.arm.figures import figures_of
+from armui.arm.figures import CommandFigure, figures_of
 from armui.control.motion.jog_path import MotionFrame
 from armui.control.operations.operation import Consent, Operation
 from armui.interface.messages import CallError, Code, Json
@@ -43,9 +54,7 @@ WITHOUT: Final[Mapping[str, str]] = {
     "reference.drive": _REFERENCE,
     "reference.finish": _REFERENCE,
     "reference.teach": _REFERENCE,
-    "replay.go_on": _HELD,
     "replay.start": "a replay is begun by the operator",
-    "run.go_on": _HELD,
     "run.start": "trajectory.run runs a trajectory of the library by its name",
     "settings.read": "the settings are read in the window",
     "settings.reset_end_limits": "the settings are the operator's, who reads what changes",
@@ -73,7 +82,23 @@ FREE: Final = frozenset(
 )
 """What a client with the lease may do without asking; the operator holds a button for the rest."""
 
+
+@dataclass(frozen=True, slots=True)
+class Longest:
+    """The most characters of a text, or objects of a list; at least one."""
+
+    length: int
+
+
+@dataclass(frozen=True, slots=True)
+class Choices:
+    """The names that a list may have."""
+
+    names: tuple[str, ...]
+
+
 _SIX: Final = 6
+_NOT_NAMED: Final = frozenset({"self", "started"})
 _ONLY: Final[Mapping[type[enum.Enum], tuple[str, ...]]] = {MoveMode: ("MOVE_P", "MOVE_L")}
 """Of these enumerations some values are no choices of a command."""
 
@@ -88,28 +113,37 @@ def offered(operations: Mapping[str, BoundOperation]) -> Iterator[BoundOperation
     return (bound for name, bound in operations.items() if name not in WITHOUT)
 
 
-def _parameters(method: Any) -> Iterator[tuple[inspect.Parameter, object]]:
-    hints = get_type_hints(method, include_extras=True)
-    for each in inspect.signature(method).parameters.values():
-        if each.name not in {"self", "started"}:
-            yield each, hints[each.name]
+def parameters_of(
+    method: Callable[..., object],
+) -> Sequence[tuple[inspect.Parameter, object]]:
+    """Return the parameters of a method that a client names, each with its annotation."""
+    return _parameters(getattr(method, "__func__", method))
 
 
-def arguments(bound: BoundOperation, params: Json) -> tuple[list[object], dict[str, object]]:
-    """Return a call's arguments as the operation's method takes them.
+@cache  # by the functions: a bound method would keep its program
+def _parameters(function: Callable[..., object]) -> Sequence[tuple[inspect.Parameter, object]]:
+    hints = get_type_hints(function, include_extras=True)
+    parameters = inspect.signature(function).parameters.values()
+    return [(each, hints[each.name]) for each in parameters if each.name not in _NOT_NAMED]
+
+
+def taken(method: Callable[..., object], params: Json) -> tuple[list[object], dict[str, object]]:
+    """Return a call's arguments as a method takes them; the lease that it names is none.
 
     Raises:
-        CallError: One is missing, unknown, or of another form; the ranges are the operation's own.
+        CallError: One is missing, unknown, or of another form; ranges are looked at elsewhere.
     """
-    left = dict(params)
+    left = {name: value for name, value in params.items() if name != "lease"}
     positional: list[object] = []
     named: dict[str, object] = {}
-    for each, hint in _parameters(bound.carry_out):
+    for each, hint in parameters_of(method):
         if each.name not in left:
             if each.default is each.empty and each.kind is not each.VAR_POSITIONAL:
                 raise CallError(Code.PARAMS, f"“{each.name}” is missing.")
             continue
         value = left.pop(each.name)
+        if value is None and each.default is None:
+            continue
         if each.kind is each.VAR_POSITIONAL:
             if not isinstance(value, list):
                 raise CallError(Code.PARAMS, f"“{each.name}” must be a list.")
@@ -123,7 +157,7 @@ def arguments(bound: BoundOperation, params: Json) -> tuple[list[object], dict[s
 
 def _taken(name: str, hint: object, value: object) -> object:
     """Return one argument as its annotation has it."""
-    kind = _kind(hint)
+    kind, marks = _kind(hint)
     wrong: str
     if isinstance(kind, type) and issubclass(kind, enum.Enum):
         names = _names(kind)
@@ -135,17 +169,34 @@ def _taken(name: str, hint: object, value: object) -> object:
             return value
         wrong = "true or false"
     elif kind is str:
-        if isinstance(value, str):
+        longest = marks.get(Longest)
+        if isinstance(value, str) and (longest is None or 0 < len(value) <= longest.length):
             return value
-        wrong = "a text"
+        wrong = "a text" if longest is None else f"a text of 1 to {longest.length} characters"
     elif kind in {int, float}:
         whole = kind is int
         if isinstance(value, int if whole else int | float) and not isinstance(value, bool):
             return value
         wrong = "a whole number" if whole else "a number"
+    elif get_origin(kind) is list:
+        return _listed(name, get_args(kind)[0], marks, value)
     else:
         return six(name, value)
     raise CallError(Code.PARAMS, f"“{name}” must be {wrong}.")
+
+
+def _listed(name: str, of: object, marks: Mapping[type, Any], value: object) -> list[object]:
+    each_is: Any = get_origin(of) or of
+    if not isinstance(value, list) or not all(isinstance(each, each_is) for each in value):
+        wanted = "names" if each_is is str else "objects"
+        raise CallError(Code.PARAMS, f"“{name}” must be a list of {wanted}.")
+    choices, longest = marks.get(Choices), marks.get(Longest)
+    if choices is not None and (unknown := [each for each in value if each not in choices.names]):
+        text = f"Of “{name}” none is called “{unknown[0]}”; there are {', '.join(choices.names)}."
+        raise CallError(Code.PARAMS, text)
+    if longest is not None and not 0 < len(value) <= longest.length:
+        raise CallError(Code.PARAMS, f"“{name}” must be 1 to {longest.length} of them.")
+    return value
 
 
 def six(name: str, value: object) -> tuple[float, ...]:
@@ -166,18 +217,23 @@ def six(name: str, value: object) -> tuple[float, ...]:
     raise CallError(Code.PARAMS, f"“{name}” must be six numbers.")
 
 
-def _kind(hint: object) -> object:
-    """Return what an annotation allows: an enum, a plain type, or a sequence of numbers."""
-    if get_origin(hint) is Annotated:
-        hint = get_args(hint)[0]
-    if hint == MotionFrame:
-        return JogFrame
-    if get_origin(hint) in {Union, UnionType}:
+def _kind(hint: object) -> tuple[object, Mapping[type, Any]]:
+    """Return what an annotation allows, and its marks by their types.
+
+    It allows an enum, a plain type, a list, or a sequence of numbers.
+    """
+    marks: dict[type, Any] = {}
+    if get_origin(hint) in {Union, UnionType} and hint != MotionFrame:
         hint = next(each for each in get_args(hint) if each is not type(None))
-    if get_origin(hint) is Sequence or hint in {bool, int, float, str}:
-        return hint
+    if get_origin(hint) is Annotated:
+        hint, *found = get_args(hint)
+        marks = {type(each): each for each in found}
+    if hint == MotionFrame:
+        return JogFrame, marks
+    if get_origin(hint) in {Sequence, list} or hint in {bool, int, float, str}:
+        return hint, marks
     if isinstance(hint, type) and issubclass(hint, enum.Enum):
-        return hint
+        return hint, marks
     raise TypeError(f"{hint!r} has no plain form")
 
 
@@ -193,44 +249,59 @@ def schema(operations: Mapping[str, BoundOperation]) -> list[Json]:
 
 def _method(bound: BoundOperation) -> Json:
     operation = bound.operation
-    of_lease = {"name": "lease", "required": True, "schema": {"type": "integer"}}
     return {
         "name": operation.id,
         "summary": operation.title,
-        "paramStructure": "by-name",
-        "params": [of_lease, *(_param(bound, *each) for each in _parameters(bound.carry_out))],
+        **takes(bound.carry_out, leased=True),
         "result": {"name": "number", "schema": {"type": "integer"}},
         "x-moves": operation.moves,
         "x-asks-the-operator": asks(operation),
     }
 
 
-def _param(bound: BoundOperation, each: inspect.Parameter, hint: object) -> Json:
+def takes(method: Callable[..., object], *, leased: bool) -> Json:
+    """Return what a method takes, as OpenRPC has it."""
+    of_lease = {"name": "lease", "required": True, "schema": {"type": "integer"}}
+    params = [_param(method, *each) for each in parameters_of(method)]
+    return {"paramStructure": "by-name", "params": [of_lease, *params] if leased else params}
+
+
+def _param(method: Callable[..., object], each: inspect.Parameter, hint: object) -> Json:
     several = each.kind is each.VAR_POSITIONAL
-    of_one = _schema(bound, each.name, _kind(hint))
-    return {
+    of_one = _schema(method, each.name, hint)
+    found: Json = {
         "name": each.name,
         "required": each.default is each.empty and not several,
         "schema": {"type": "array", "items": of_one} if several else of_one,
     }
+    if isinstance(each.default, bool | int | float | str):
+        found["schema"] = {**found["schema"], "default": each.default}
+    return found
 
 
-def _schema(bound: BoundOperation, name: str, kind: object) -> Json:
+def _schema(method: Callable[..., object], name: str, hint: object) -> Json:
+    kind, marks = _kind(hint)
+    longest = marks.get(Longest)
     if isinstance(kind, type) and issubclass(kind, enum.Enum):
         return {"enum": list(_names(kind))}
     if kind is bool:
         return {"type": "boolean"}
     if kind is str:
-        return {"type": "string"}
-    if kind not in {int, float}:
-        return {
-            "type": "array",
-            "items": {"type": "number"},
-            "minItems": _SIX,
-            "maxItems": _SIX,
-        }
-    found: Json = {"type": "integer" if kind is int else "number"}
-    figure = figures_of(bound.carry_out).get(name)
+        lengths = {} if longest is None else {"minLength": 1, "maxLength": longest.length}
+        return {"type": "string", **lengths}
+    if get_origin(kind) is list:
+        items = {"enum": list(marks[Choices].names)} if Choices in marks else {"type": "object"}
+        counts = {} if longest is None else {"minItems": 1, "maxItems": longest.length}
+        return {"type": "array", "items": items, **counts}
+    if kind in {int, float}:
+        return _number(figures_of(method).get(name), whole=kind is int)
+    unit = {"x-unit": marks[str]} if str in marks else {}
+    numbers = {"type": "array", "items": {"type": "number"}}
+    return {**numbers, "minItems": _SIX, "maxItems": _SIX, **unit}
+
+
+def _number(figure: CommandFigure | None, *, whole: bool) -> Json:
+    found: Json = {"type": "integer" if whole else "number"}
     if figure is None:
         return found
     if figure.choices is not None:

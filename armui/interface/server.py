@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Final
 from armui.interface import messages
 from armui.interface.lease import Client
 from armui.interface.messages import MAX_BYTES, Call, CallError, Code, Id, Json
-from armui.interface.plain_forms import six
+from armui.interface.methods import METHODS, NAME_LENGTH, read
 from armui.interface.state_report import fields_of, report
 from armui.system.clock import steady_s
 from armui.system.files import read_file
@@ -39,11 +39,15 @@ MOST_WAITING: Final = 64
 """So many calls of one client may wait for their answers."""
 MOST_UNREAD: Final = 512 * 1024
 """A client with more bytes unread gets no states and events; with twice as many it is cut off."""
-MOST_RATE_HZ: Final = 200.0
 _END_S: Final = 2.0
 _HELLO: Final = "hello"
+_HERE: Final = frozenset(
+    name
+    for name in METHODS
+    if name.startswith(("ping", "state.", "events.")) or name == "stream.target"
+)
+"""The methods that are answered in the server's thread."""
 _HELLO_WITHIN_S: Final = 1.0
-_NAME_LENGTH: Final = 80
 _LOG: Final = logging.getLogger(__name__)
 
 
@@ -79,14 +83,16 @@ class Target:
     Attributes:
         session: Whose it is.
         lease: The number of the lease that it names.
-        joints_deg: Six angles.
+        joints_deg: Six angles; ``None``: it is a pose.
+        flange_pose_mm_deg: A pose of the flange in the base, or ``None``.
         id: Names the answer, if one is wanted.
         answered: False for a notification.
     """
 
     session: ClientSession
     lease: object
-    joints_deg: tuple[float, ...]
+    joints_deg: tuple[float, ...] | None
+    flange_pose_mm_deg: tuple[float, ...] | None
     id: Id
     answered: bool
 
@@ -292,10 +298,10 @@ class Server:
                 self._send(session, messages.error(wrong, None if call is None else call.id))
 
     def _greet(self, session: ClientSession, call: Call) -> None:
-        name, protocol = call.params.get("client"), call.params.get("protocol")
-        if not isinstance(name, str) or not name.strip() or len(name) > _NAME_LENGTH:
-            text = f"“client” must be your name, at most {_NAME_LENGTH} characters."
-            raise CallError(Code.PARAMS, text)
+        params = read(_HELLO, call.params)
+        name, protocol = params["client"], params["protocol"]
+        if not name.strip():
+            raise CallError(Code.PARAMS, "“client” must be your name.")
         if protocol != messages.PROTOCOL:
             text = f"This program speaks protocol {messages.PROTOCOL}, not {protocol!r}."
             raise CallError(Code.PARAMS, text, data={"protocol": messages.PROTOCOL})
@@ -306,39 +312,37 @@ class Server:
 
     def _answers(self, session: ClientSession, call: Call) -> bool:
         """Answer what needs only the newest state; return whether it did."""
-        params = call.params
-        if call.method == "ping":
-            self._answer(session, call.id, call.answered, {})
-        elif call.method == "state.get":
-            fields = fields_of(params.get("fields"))
-            told = report(self._state(), self._clock(), fields)
-            self._answer(session, call.id, call.answered, told)
+        if call.method not in _HERE:
+            return False
+        params = read(call.method, call.params)
+        if call.method == "stream.target":
+            self._take_target(session, call, params)
+            return True
+        answer: Json = {}
+        if call.method == "state.get":
+            answer = report(self._state(), self._clock(), fields_of(params["fields"]))
         elif call.method == "state.subscribe":
-            rate = params.get("rate_hz", 10.0)
-            is_rate = isinstance(rate, int | float) and not isinstance(rate, bool)
-            if not is_rate or not 0.0 < rate <= MOST_RATE_HZ:
-                text = f"“rate_hz” must be above 0, at most {MOST_RATE_HZ:g}."
-                raise CallError(Code.PARAMS, text)
-            self._subscribe(session, float(rate), fields_of(params.get("fields")))
-            self._answer(session, call.id, call.answered, {})
+            self._subscribe(session, float(params["rate_hz"]), fields_of(params["fields"]))
         elif call.method == "state.unsubscribe":
             self._unsubscribe(session)
-            self._answer(session, call.id, call.answered, {})
-        elif call.method in {"events.subscribe", "events.unsubscribe"}:
+        elif call.method != "ping":
             session.events = call.method == "events.subscribe"
-            self._answer(session, call.id, call.answered, {})
-        elif call.method == "stream.target":
-            joints_deg = six("joints_deg", params.get("joints_deg"))
-            target = Target(session, params.get("lease"), joints_deg, call.id, call.answered)
-            with self._target_lock:
-                before, self._target = self._target, target
-            if before is not None:
-                self.answer_target(before, {"superseded": True})
-            else:
-                self._on_target()
-        else:
-            return False
+        self._answer(session, call.id, call.answered, answer)
         return True
+
+    def _take_target(self, session: ClientSession, call: Call, params: Json) -> None:
+        """Keep the newest target for the window's thread."""
+        joints_deg, pose = params["joints_deg"], params["flange_pose_mm_deg"]
+        if (joints_deg is None) == (pose is None):
+            raise CallError(Code.PARAMS, "Wanted: “joints_deg” or “flange_pose_mm_deg”.")
+        lease = call.params.get("lease")
+        target = Target(session, lease, joints_deg, pose, call.id, call.answered)
+        with self._target_lock:
+            before, self._target = self._target, target
+        if before is not None:
+            self.answer_target(before, {"superseded": True})
+        else:
+            self._on_target()
 
     def _subscribe(self, session: ClientSession, rate_hz: float, fields: Iterable[str]) -> None:
         self._unsubscribe(session)
@@ -468,4 +472,4 @@ def _program(process: int) -> str:
     except OSError:
         return ""
     names = [Path(os.fsdecode(each)).name for each in words[:2] if each]
-    return " ".join(names)[:_NAME_LENGTH]
+    return " ".join(names)[:NAME_LENGTH]

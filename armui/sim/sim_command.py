@@ -99,6 +99,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--grant", action="store_true", help="grant the lease to whoever asks: nobody else is here"
     )
     api.add_argument("--socket", metavar="PATH", help="where it is served (the user's own place)")
+    api.add_argument(
+        "--trajectories", metavar="FOLDER", help="the library that clients see (the user's own)"
+    )
     wrong = parser.add_argument_group("what goes wrong")
     wrong.add_argument(
         "--fault",
@@ -125,8 +128,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Runs the command with options read by `add_arguments`; returns the exit code."""
-    if options.grant or options.socket:
-        sys.stderr.write("armui sim: --grant and --socket belong to --api-on\n")
+    if options.grant or options.socket or options.trajectories:
+        sys.stderr.write("armui sim: --grant, --socket and --trajectories belong to --api-on\n")
         return EXIT_CANNOT_BEGIN
     if options.generation == Generation.ONE and (options.firmware is not None or options.bugs):
         sys.stderr.write(

@@ -2446,6 +2446,10 @@
         <translation>提供接口的位置（默认在用户自己的文件夹）</translation>
     </message>
     <message>
+        <source>the library that clients see (the user&apos;s own)</source>
+        <translation>客户端可见的轨迹库（默认为用户自己的）</translation>
+    </message>
+    <message>
         <source>break something, in seconds from the start; may be given often</source>
         <translation>制造故障，时间为启动后的秒数；可多次给出</translation>
     </message>
@@ -3134,6 +3138,18 @@
     <message>
         <source>Allow once</source>
         <translation>允许一次</translation>
+    </message>
+    <message>
+        <source>Row {row}: {text}</source>
+        <translation>第 {row} 行：{text}</translation>
+    </message>
+    <message>
+        <source>! Warning: {text}</source>
+        <translation>! 警告：{text}</translation>
+    </message>
+    <message>
+        <source>{count} more</source>
+        <translation>还有 {count} 条</translation>
     </message>
 </context>
 <context>
@@ -4670,6 +4686,10 @@
     <message>
         <source>Axis</source>
         <translation>轴</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
     </message>
 </context>
 <context>
@@ -12152,6 +12172,10 @@ The other program must have ended.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
     </message>
     <message>
+        <source>To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm would change its posture. Send poses nearer to one another.</source>
+        <translation>到此位姿关节 {joint} 需一次转动 {value}°，超过 {maximum}°：机械臂会改变构型。请发送彼此更接近的位姿。</translation>
+    </message>
+    <message>
         <source>This needs the lease of the arm. Ask for it with lease.request, and name its number.</source>
         <translation>这需要机械臂的租约。请用 lease.request 申请，并注明其编号。</translation>
     </message>
@@ -12206,6 +12230,18 @@ The other program must have ended.</source>
     <message>
         <source>This lease was asked for without motions. Ask for one with “moves”.</source>
         <translation>此租约申请时不含运动。请申请带“moves”的租约。</translation>
+    </message>
+    <message>
+        <source>The client has called the run off.</source>
+        <translation>客户端已取消此次运行。</translation>
+    </message>
+    <message>
+        <source>“{name}” has {count} points or samples; a program may have {maximum} checked and run. Have the operator run it.</source>
+        <translation>“{name}”有 {count} 个点或采样；程序最多可检查和运行 {maximum} 个。请由操作员运行。</translation>
+    </message>
+    <message>
+        <source>Something else is being checked for you. Wait for its answer.</source>
+        <translation>正在为您检查另一条轨迹。请等待其结果。</translation>
     </message>
     <message>
         <source>The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, nor any speed.</source>

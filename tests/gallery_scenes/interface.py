@@ -8,9 +8,9 @@ from datetime import datetime
 from PySide6.QtWidgets import QDialog
 
 from armui.control.events import Event
-from armui.interface.interface import LEASE_ENDED, LEASE_GRANTED
 from armui.interface.interface_view import Consented, InterfaceView
 from armui.interface.lease import LEASE_TAKEN_BACK, Ask, Client, Lease
+from armui.interface.reasons import LEASE_ENDED, LEASE_GRANTED
 from armui.ui.interface.client_question import ConsentDialog, GrantDialog
 from armui.ui.interface.interface_dialog import InterfaceDialog
 from tests.app_driver import AppDriver

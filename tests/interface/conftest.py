@@ -7,7 +7,12 @@ import time
 import pytest
 from PySide6.QtCore import QCoreApplication
 
-from armui.interface.interface import Interface
+import armui_client
+from armui.interface.interface import Interface, Shelf
+from armui.trajectory.library.store import Library
+from armui.ui.background import Background
+from tests.app_driver import AtOnce
+from tests.interface.script import Script
 
 STEP_S = 0.02
 WITHIN_S = 10.0
@@ -26,7 +31,8 @@ class Desk(Interface):
     """The interface, with the rig it is of."""
 
     def __init__(self, rig, path):
-        super().__init__(rig.controller, path, lambda: rig.time_s)
+        self.shelf = Shelf(Background(AtOnce()), lambda: Library(path.parent / "library"))
+        super().__init__(rig.controller, path, lambda: rig.time_s, shelf=self.shelf)
         self.rig = rig
 
 
@@ -149,3 +155,39 @@ def with_lease(client, desk, percent=100):
     desk.grant(percent)
     client.lease = client.answer(asked)["result"]["lease"]
     return client
+
+
+# The client of others ----------------------------------------------------------------------------
+
+
+@pytest.fixture
+def script(desk, monkeypatch):
+    return Script(desk, monkeypatch)
+
+
+@pytest.fixture
+def with_arm(script):
+    """Runs a function with a connected arm, in a thread."""
+
+    def run(act, **more):
+        def connected():
+            with armui_client.connect("a test", **more) as arm:
+                return act(arm)
+
+        return script.run(connected)
+
+    return run
+
+
+@pytest.fixture(name="with_lease")
+def fixture_with_lease(with_arm):
+    """The same, with the lease."""
+
+    def run(act):
+        def leased(arm):
+            with arm.lease("a test", max_speed_percent=100):
+                return act(arm)
+
+        return with_arm(leased)
+
+    return run

@@ -10,7 +10,10 @@ from armui import app, cli
 from armui.control.operating_state import StopState
 from armui.interface.interface import Interface
 from armui.interface.lease import GRANT_WITHIN_S, SILENT_S
+from armui.protocol.codes import MoveMode
 from armui.start import StartOptions
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.actions.operator_view import set_operator_view
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.interface.client_question import ClientQuestion, ConsentDialog, GrantDialog
@@ -323,6 +326,28 @@ def test_a_consent_is_held_each_time(desk, client):
     assert "number" in client.answer(asked)["result"]
     assert not desk.open
     desk.driver.run_until(lambda: not any(desk.driver.controller.operating_state.enabled))
+
+
+@pytest.mark.parametrize("accepts", [True, False])
+def test_what_the_check_of_a_run_warns_of_is_accepted_by_a_held_press(desk, client, accepts):
+    Library(desk.driver.library_folder).save(
+        Trajectory("far", points=(Waypoint(MoveMode.MOVE_J, (60.0, *TO[1:])),))
+    )
+    desk.leased(client)
+    asked = client.begin("trajectory.run", lease=client.lease, name="far")
+    client.wait(lambda: desk.open)
+    said = text_of(desk.driver.dialog(ConsentDialog))
+    assert "“my script” wants: Run a trajectory" in said
+    assert "Name: far" in said
+    assert "Row 1: The first point is far from where the arm is: joint 1 turns 60" in said
+    if accepts:
+        desk.hold(ConsentDialog)
+        assert "number" in client.answer(asked)["result"]
+        assert desk.bar.isVisible()
+    else:
+        desk.refuse(ConsentDialog)
+        assert why(client.answer(asked)) == "lease_declined"
+    assert desk.driver.controller.player.running is accepts
 
 
 def test_a_consent_refused_does_nothing(desk, client):

@@ -9,6 +9,7 @@ import socket
 import sys
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
@@ -16,12 +17,20 @@ from PySide6.QtCore import QCoreApplication
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.operations.started import Started
+from armui.control.run.progress import Run
 from armui.interface import lease as leases
-from armui.interface.interface import Interface
+from armui.interface.interface import Interface, Shelf
 from armui.interface.messages import Code
 from armui.interface.plain_forms import WITHOUT
+from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.library.store import Library
+from armui.trajectory.points.program import Trajectory
+from armui.ui.background import Background
+from tests.app_driver import AtOnce
 from tests.safety.operation_driver import Answer, ControllerDriver, Midway
 
+BY_OTHER_MEANS: Final = frozenset({"run.start"})
+"""Operations that a client has done by a method of another name."""
 _WITHIN_S: Final = 20.0
 _PING_S: Final = 0.4
 _OF_LEASES: Final = {each.id: each for each in vars(leases).values() if isinstance(each, Reason)}
@@ -34,11 +43,11 @@ class _KeptInterface(Interface):
     fault: Midway | None = None
     """What fails in the operation itself: its calls are the same in each run, unlike its ticks."""
 
-    def _begin(self, *arguments: Any) -> None:
+    def _by_client(self, act: Callable[[], Any], *, moves: bool = True) -> Any:
         if self.fault is not None:
             sys.setprofile(self.fault.profile)
         try:
-            super()._begin(*arguments)
+            return super()._by_client(act, moves=moves)
         finally:
             sys.setprofile(None)
 
@@ -57,8 +66,10 @@ class ClientDriver(ControllerDriver):
         super().__init__(channel)
         self._folder = tempfile.TemporaryDirectory()
         path = Path(self._folder.name) / "private" / "api.sock"
+        self._library = Library(Path(self._folder.name) / "library")
+        shelf = Shelf(Background(AtOnce()), lambda: self._library)
         self.interface = _KeptInterface(
-            self.controller, path, lambda: self.time_s, grants_itself=True
+            *(self.controller, path, lambda: self.time_s), grants_itself=True, shelf=shelf
         )
         self.interface.switch(on=True)
         while not self.interface.view.on:
@@ -72,7 +83,7 @@ class ClientDriver(ControllerDriver):
 
     def begin(self, name: str, *arguments: Any, **named: Any) -> Answer:
         """Carry out an operation over the socket, with the lease; nobody's time goes on."""
-        if name in WITHOUT:
+        if name in WITHOUT and name not in BY_OTHER_MEANS:
             return super().begin(name, *arguments, **named)
         held = self.interface.view.lease
         if held is None:
@@ -82,18 +93,28 @@ class ClientDriver(ControllerDriver):
             held = self.interface.view.lease
             assert held is not None
         self.interface.begun = None
-        params = self._params(name, arguments, named)
+        if name == "run.start":
+            name, params = "trajectory.run", self._stored(arguments[0])
+        else:
+            params = self._params(name, arguments, named)
         self.interface.fault = self._fault
         answer = self._ask(name, lease=held.number, **params)
         self._settle_what_was_said()
         return self._refusal(answer["error"]) if "error" in answer else self.interface.begun
 
+    def _stored(self, run: Run) -> dict[str, object]:
+        """Keep in the library what is to be run, as one that has run before."""
+        self._library.save(Trajectory(run.name, points=tuple(run.points)), replacing=run.name)
+        self._library.note_run(run.name, RunOptions())
+        return {"name": run.name, "cycles": run.cycles, "first_row": run.first + 1}
+
     def _params(
         self, name: str, arguments: tuple[Any, ...], named: dict[str, Any]
     ) -> dict[str, object]:
         signature = inspect.signature(self.controller.operations[name].carry_out)
-        bound = signature.bind(None, *arguments, **named)
-        bound.arguments.pop("started")
+        before = (None,) if "started" in signature.parameters else ()
+        bound = signature.bind(*before, *arguments, **named)
+        bound.arguments.pop("started", None)
         return {key: _plain(value) for key, value in bound.arguments.items()}
 
     def _refusal(self, error: dict[str, Any]) -> Refusal | None:

@@ -184,6 +184,12 @@ class Jogging(ControllerPart):
         hold = self._hold
         return hold.jog if hold is not None and isinstance(hold.jog, TargetJog) else None
 
+    @property
+    def setpoint_deg(self) -> tuple[float, ...] | None:
+        """The newest setpoint of the jog under way, or ``None``."""
+        stream = None if self._hold is None else self._hold.stream
+        return None if stream is None else stream.setpoint_deg
+
     def _end_last(self) -> None:
         """End the jog under way, and drop what waits: a press means something else."""
         self.stop()

@@ -14,12 +14,19 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import check_joints
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
 from armui.control.motion.jog_pace import HORIZON_S, Pace
 from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING
 
 if TYPE_CHECKING:
     from armui.arm.limits import JointLimits
+    from armui.kinematics.arm_kinematics import Kinematics
+
+STREAM_LEAPS = Reason(
+    "stream_leaps",
+    "To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm "
+    "would change its posture. Send poses nearer to one another.",
+)
 
 STREAM_DEG_S: Final = 60.0
 """A streamed joint is at most this fast: from it the arm is at rest within 0.26 s."""
@@ -27,6 +34,10 @@ SETTLING_S: Final = 0.04
 """The time constant of the smoothing: a setpoint follows an even motion by twice this time."""
 REST_S: Final = 0.15
 """Without a new target for this time the setpoint rests where it is."""
+
+LEAP_DEG: Final = 30.0
+"""A pose to which a joint turns further from the setpoint is refused: at 10 targets a second and
+the highest speed it is 6° to the next one, and the setpoint is behind by as much again."""
 
 _LEAST_SHARE: Final = 0.1
 """The smallest share of the lead, whatever the speed: it must span some steps of the protocol."""
@@ -61,6 +72,38 @@ class TargetJog:
     def take(self, target_deg: Sequence[float]) -> None:
         """Follow another target from now on."""
         self.target_deg, self.age_s, self.refusal = tuple(target_deg), 0.0, None
+
+    def rest(self) -> None:
+        """Come to rest until another target comes: the newest one was refused."""
+        self.age_s = REST_S
+
+
+def angles_of_pose(
+    kinematics: Kinematics,
+    flange_pose_mm_deg: Sequence[float],
+    near_deg: Sequence[float],
+    limits: Sequence[JointLimits],
+) -> tuple[float, ...] | Refusal:
+    """Return the angles of a target that is a pose, or why it cannot be followed.
+
+    Args:
+        kinematics: Of the arm.
+        flange_pose_mm_deg: The pose of the flange in the base.
+        near_deg: The newest setpoint.
+        limits: Of the six joints.
+    """
+    from armui.arm.reach import check_pose  # noqa: PLC0415 - numpy
+    from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
+
+    found = check_pose(kinematics, Pose(*flange_pose_mm_deg), near_deg, limits)
+    if isinstance(found, Refusal):
+        return found
+    turns_deg = [abs(there - here) for there, here in zip(found, near_deg, strict=True)]
+    most_deg = max(turns_deg)
+    if most_deg > LEAP_DEG:
+        joint = turns_deg.index(most_deg) + 1
+        return STREAM_LEAPS(joint=joint, value=round(most_deg, 1), maximum=LEAP_DEG)
+    return tuple(found)
 
 
 def stream_pace(

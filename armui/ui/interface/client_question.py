@@ -22,7 +22,7 @@ from armui.ui.words.arm import operation_title
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from armui.control.arm_controller import ArmController
     from armui.interface.interface import Interface
@@ -33,6 +33,7 @@ _TICK_MS: Final = 250
 _LONG_WORD: Final = re.compile(r"(\S{20})(?=\S)")
 _BREAK: Final = "\u200b"
 _FIELD_PX: Final = 90
+_MOST_FOUND: Final = 6
 _OF_ALL_JOINTS: Final = frozenset(
     {"motors.enable", "motors.disable", "joints.set_zero", "joints.clear_error"}
 )
@@ -276,8 +277,21 @@ class ConsentDialog(ClientQuestion):
         title = self.tr("“{client}” wants: {operation}").format(
             client=breakable(consent.client.name), operation=operation
         )
-        text = "\n".join(filter(None, (self._figures(), self._danger(), self._who())))
-        return title, text, self.tr("Allow once")
+        said = (self._figures(), *self._findings(), self._danger(), self._who())
+        return title, "\n".join(filter(None, said)), self.tr("Allow once")
+
+    def _findings(self) -> Iterator[str]:
+        """Yield what the check before a run has found, as the operator reads it at his own."""
+        from armui.ui.words.findings import finding as finding_text  # noqa: PLC0415 - scipy
+
+        findings = self._consent.findings
+        for found in findings[:_MOST_FOUND]:
+            text = finding_text(found)
+            if found.row is not None:
+                text = self.tr("Row {row}: {text}").format(row=found.row + 1, text=text)
+            yield self.tr("! Warning: {text}").format(text=text)
+        if len(findings) > _MOST_FOUND:
+            yield self.tr("{count} more").format(count=len(findings) - _MOST_FOUND)
 
     def _figures(self) -> str:
         """Return what the operation is called with, as the operator reads it."""

@@ -9,7 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QListWidget, QWidget
 
 from armui.control.events import Level
-from armui.interface.interface import (
+from armui.interface.reasons import (
     CONSENT_GRANTED,
     LEASE_ENDED,
     LEASE_GRANTED,

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
+    from armui.trajectory.library.store import Library
     from armui.ui.picture.picture_work import PictureWork
     from armui.ui.shell.page_area import PageArea
     from armui.ui.shell.workspace import Workspace
@@ -113,19 +114,21 @@ class TrajectoryPages(QObject):
         return self._library
 
     def _make(self) -> LibraryPage:
-        from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, scipy
         from armui.ui.trajectory.library.library_page import LibraryPage  # noqa: PLC0415 - as above
         from armui.ui.trajectory.preview.preview_link import PreviewLink  # noqa: PLC0415 - as above
 
-        folder = self._folder or paths.trajectories()
-        files = self._files
-        library = (
-            Library(folder, call=files.call) if isinstance(files, FileThread) else Library(folder)
-        )
-        background = Background(self._workers, files, self)
+        library = open_library(self._folder or paths.trajectories(), self._files)
+        background = Background(self._workers, self._files, self)
         page = LibraryPage(self._controller, background, library)
         self._workspace.add(page, self._area)
         page.run_asks.connect(self.run_asks)
         page.page_made.connect(partial(self._workspace.add, home=self._area))
         self._picture.link(PreviewLink(page, self._preview, self._controller))
         return page
+
+
+def open_library(folder: Path, files: Executor | None) -> Library:
+    """Return the library in a folder; where there is a thread for files, it has large ones read."""
+    from armui.trajectory.library.store import Library  # noqa: PLC0415 - numpy, scipy
+
+    return Library(folder, call=files.call) if isinstance(files, FileThread) else Library(folder)

@@ -101,6 +101,7 @@ _FIGURES: Final = Texts("Figure") | {
     "speed": "Speed",
     "percent": "Speed",
     "axis": "Axis",
+    "name": "Name",
 }
 
 GRIPPER_ACTS: Final = Texts("GripperAct") | {
