@@ -27,7 +27,18 @@ from armui_client.errors import (
 from armui_client.lease import Lease
 from armui_client.operation import Operation
 from armui_client.stream import Stream
-from armui_client.values import Event, Measured, Offered, Six, State, Status
+from armui_client.values import (
+    Checked,
+    Event,
+    Finding,
+    Listed,
+    Measured,
+    Offered,
+    Plan,
+    Six,
+    State,
+    Status,
+)
 
 __version__ = "0.1.0"
 
@@ -35,15 +46,19 @@ __all__ = [
     "PROTOCOL",
     "Arm",
     "ArmuiError",
+    "Checked",
     "Disconnected",
     "Event",
     "Failed",
+    "Finding",
     "Invalid",
     "Lease",
     "LeaseLost",
+    "Listed",
     "Measured",
     "Offered",
     "Operation",
+    "Plan",
     "Refused",
     "Six",
     "Stale",

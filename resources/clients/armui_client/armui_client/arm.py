@@ -16,7 +16,21 @@ from armui_client.errors import ArmuiError, Invalid, Stale, Timeout
 from armui_client.lease import OPERATOR_S, Lease
 from armui_client.operation import MOTION_S, Operation
 from armui_client.stream import Stream
-from armui_client.values import Event, Offered, Six, State, as_six, fields_of, six, state_of
+from armui_client.values import (
+    Checked,
+    Event,
+    Listed,
+    Offered,
+    Plan,
+    Six,
+    State,
+    as_six,
+    checked_of,
+    fields_of,
+    plan_of,
+    six,
+    state_of,
+)
 
 _AGAIN_S: Final = 0.05
 _WITHOUT_LEASE: Final = frozenset(
@@ -34,6 +48,10 @@ _WITHOUT_LEASE: Final = frozenset(
         "state.subscribe",
         "state.unsubscribe",
         "stop",
+        "trajectory.check",
+        "trajectory.get",
+        "trajectory.list",
+        "trajectory.plan",
     }
 )
 
@@ -199,6 +217,46 @@ class Arm:
         found = self._ask("kinematics.ik", params)
         return [as_six(each) for each in found["joints_deg"]]
 
+    # The operator's library -------------------------------------------------------------------
+
+    def trajectories(self) -> list[Listed]:
+        """Return what is in the operator's library: trajectories and recordings."""
+        return [
+            Listed(**{**each, "damage": each["damage"] and each["damage"]["text"]})
+            for each in self._ask("trajectory.list", {})
+        ]
+
+    def trajectory(self, name: str, *, first_row: int = 1, rows: int = 1000) -> dict[str, Any]:
+        """Return a trajectory or recording, in the form of its file.
+
+        Args:
+            name: Its name.
+            first_row: The first of the points or samples that are wanted, from 1.
+            rows: How many, at most 1,000; ``count`` says how many there are.
+
+        Raises:
+            Refused: There is none of this name, or it is damaged.
+        """
+        params = {"name": name, "first_row": first_row, "rows": rows}
+        return cast("dict[str, Any]", self._ask("trajectory.get", params))
+
+    def check(self, trajectory: str | Sequence[Mapping[str, Any]]) -> Checked:
+        """Return what speaks against a run from where the arm stands, as the operator sees it.
+
+        Args:
+            trajectory: A name of the library, or points as :meth:`trajectory` returns them; at most
+                1,000.
+
+        Raises:
+            Refused: There is none of this name, it has more points, or another is being checked.
+            Invalid: A point is none.
+        """
+        return checked_of(self._connection.ask("trajectory.check", _named(trajectory), OPERATOR_S))
+
+    def plan(self, trajectory: str | Sequence[Mapping[str, Any]]) -> Plan:
+        """Return the same as :meth:`check`, with the path and the times of each point."""
+        return plan_of(self._connection.ask("trajectory.plan", _named(trajectory), OPERATOR_S))
+
     # Stopping: needs no lease -----------------------------------------------------------------
 
     def stop(self) -> None:
@@ -287,6 +345,42 @@ class Arm:
         """
         params = {"points": [six(each) for each in (start_mm_deg, middle_mm_deg, end_mm_deg)]}
         return self._operation("tool.arc", params, wait=wait, timeout_s=timeout_s)
+
+    def run(
+        self,
+        name: str,
+        *,
+        cycles: int = 1,
+        first_row: int = 1,
+        wait: bool = True,
+        timeout_s: float | None = None,
+    ) -> Operation:
+        """Run a trajectory of the operator's library, checked as by his own press.
+
+        What the check warns of he has to accept by a held press; one that has never run begins
+        slowly.
+
+        Args:
+            name: Its name.
+            cycles: How often; 0: until it is ended.
+            first_row: The row to begin with, from 1.
+            wait: See :meth:`move_joints`.
+            timeout_s: For the end.
+        """
+        params = {"name": name, "cycles": cycles, "first_row": first_row}
+        return self._operation("trajectory.run", params, wait=wait, timeout_s=timeout_s)
+
+    def pause(self) -> Operation:
+        """Have the run under way hold where it is."""
+        return self._operation("run.pause", {})
+
+    def go_on(self) -> Operation:
+        """Go on with the run that is paused. The operator holds a button for it."""
+        return self._operation("run.go_on", {})
+
+    def end_motion(self) -> None:
+        """End the run, or any motion of this client, with power on; the lease stays."""
+        self.call("trajectory.stop")
 
     def home(self, *, wait: bool = True, timeout_s: float | None = MOTION_S) -> Operation:
         """Move all joints to 0°, the factory zeros."""
@@ -440,3 +534,10 @@ class Arm:
 
     def _ask(self, method: str, params: Mapping[str, Any]) -> Any:
         return self._connection.ask(method, params, self._timeout_s)
+
+
+def _named(trajectory: str | Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return the argument that names a trajectory of the library, or gives points."""
+    if isinstance(trajectory, str):
+        return {"name": trajectory}
+    return {"points": [dict(each) for each in trajectory]}

@@ -224,8 +224,11 @@ class Connection:
         reason, figures = data.get("reason", ""), data.get("figures", {})
         if not reason:
             return Invalid(text)
+        lost = self.why_lost(lease)  # whatever has ended it: another host's reason, too
+        if lost is not None:
+            return lost
         if lease is not None and reason.startswith("lease_") and reason not in _LEASE_GOES_ON:
-            return self.why_lost(lease) or LeaseLost(text, reason=reason, figures=figures)
+            return LeaseLost(text, reason=reason, figures=figures)
         return Refused(text, reason=reason, figures=figures)
 
     def _write(self, method: str, params: Mapping[str, Any], number: int | None = None) -> None:

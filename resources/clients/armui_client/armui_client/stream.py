@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Stream:
-    """Targets of the six joints at a steady rate; use it in a ``with``.
+    """Targets of the joints, or of the flange, at a steady rate; use it in a ``with``.
 
     armui's path follows the newest target smoothly, 80 ms behind an even motion. Without a target
     for 150 ms the arm rests.
@@ -50,8 +50,18 @@ class Stream:
             Refused: The same, unless the stream returns refusals.
             LeaseLost: The lease has ended.
         """
+        return self._send({"joints_deg": six(joints_deg)})
+
+    def pose(self, flange_pose_mm_deg: Sequence[float]) -> Refused | None:
+        """Do the same with a pose of the flange, without tool, in the base, as :meth:`Arm.fk` has.
+
+        armui takes the angles nearest to where the stream is; a pose out of reach, or so far from
+        there that a joint would turn by more than 30°, is refused.
+        """
+        return self._send({"flange_pose_mm_deg": six(flange_pose_mm_deg)})
+
+    def _send(self, wanted: dict[str, list[float]]) -> Refused | None:
         lease = self._connection.lease()
-        wanted = {"joints_deg": six(joints_deg)}
         now_s = time.monotonic()
         due_s = now_s if self._due_s is None else self._due_s
         if due_s > now_s:

@@ -107,6 +107,101 @@ class Offered:
     why_not: str | None
 
 
+@dataclass(frozen=True)
+class Listed:
+    """A trajectory or recording of the operator's library.
+
+    Attributes:
+        kind: "points" or "recording".
+        count: The number of points or samples.
+        length_s: How long it takes, ``None`` if that is not known yet.
+        modified: The time of day of its last change in ISO 8601.
+        check: How its last check ended: "ok", "warnings", "errors"; ``None`` without one.
+        has_run: False if nobody has seen it run.
+        damage: What is wrong with its file, or ``None``.
+    """
+
+    name: str
+    kind: str
+    count: int
+    length_s: float | None
+    modified: str
+    note: str
+    folder: str
+    check: str | None
+    has_run: bool
+    damage: str | None
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a check has found.
+
+    Attributes:
+        severity: "error": it is not run; "warning": the operator may accept it.
+        row: The point or sample, from 1; ``None``: the whole.
+        of_approach: True if it is about the way there from where the arm stands.
+    """
+
+    id: str
+    severity: str
+    text: str
+    figures: Mapping[str, Any]
+    row: int | None
+    of_approach: bool
+
+
+@dataclass(frozen=True)
+class Checked:
+    """The result of a check.
+
+    Attributes:
+        errors: The number of findings that forbid a run.
+        warnings: The number of those that the operator may accept.
+        findings: The first thousand, errors first.
+        length_s: How long it takes at its own speed.
+    """
+
+    name: str
+    errors: int
+    warnings: int
+    findings: tuple[Finding, ...]
+    length_s: float | None
+
+
+@dataclass(frozen=True)
+class Plan(Checked):
+    """The result of a check, with the path.
+
+    Attributes:
+        expected_s: The time of each point from the one before.
+        times_s: The times of some places on the path, from 0.
+        joints_deg: The six angles at each.
+        rows: The point to which the arm is on its way there, from 1.
+    """
+
+    expected_s: tuple[float, ...]
+    times_s: tuple[float, ...]
+    joints_deg: tuple[Six, ...]
+    rows: tuple[int, ...]
+
+
+def checked_of(told: Mapping[str, Any]) -> Checked:
+    """Return what armui has told as the result of a check."""
+    return Checked(**{**told, "findings": _findings_of(told)})
+
+
+def plan_of(told: Mapping[str, Any]) -> Plan:
+    """Return what armui has told as a plan."""
+    lists = {name: tuple(told[name]) for name in ("expected_s", "times_s", "rows")}
+    joints_deg = tuple(map(as_six, told["joints_deg"]))
+    return Plan(**{**told, **lists, "joints_deg": joints_deg, "findings": _findings_of(told)})
+
+
+def _findings_of(told: Mapping[str, Any]) -> tuple[Finding, ...]:
+    return tuple(Finding(**each) for each in told["findings"])
+
+
 def fields_of(fields: Sequence[str] | None) -> dict[str, Any]:
     """Return the arguments that ask for these fields, or for all."""
     return {} if fields is None else {"fields": list(fields)}
