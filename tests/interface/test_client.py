@@ -188,7 +188,7 @@ MOVES = {
 RISE_MM = {"move_line": -20.0, "move_pose": 20.0, "step_tool": 15.0}
 ELSEWHERE = {
     "call", "check", "close", "end_motion", "events", "fk", "go_on", "gripper_angle", "halt", "ik",
-    "is_enabled", "lease", "operations", "pause", "plan", "run", "state", "stop", "subscribe",
+    "is_connected", "is_enabled", "lease", "operations", "pause", "plan", "run", "state", "stop", "subscribe",
     "trajectories", "trajectory",
 }  # fmt: skip
 """Methods that other tests call."""
@@ -644,7 +644,9 @@ def test_a_closed_connection_says_so(script):
         arm = armui_client.connect("a test")
         states = arm.subscribe(rate_hz=50)
         next(states)
+        assert arm.is_connected
         arm.close()
+        assert not arm.is_connected
         arm.close()
         arm.state()
 
