@@ -43,9 +43,10 @@ def jump_deg(
         return None
     steps_deg = np.diff(angles_deg.astype(float))
     # frames may come in bunches, their times then say little; or some are lost, and the steps do
-    by_time = _unusual(steps_deg / np.maximum(gaps_s, _PERIOD_S)) * gaps_s[1:-1]
+    spans_s = np.maximum(gaps_s, _PERIOD_S)
+    by_time = _unusual(steps_deg / spans_s) * spans_s[1:-1]
     least = _nearer_0(_unusual(steps_deg), by_time)
-    fastest_deg = _FASTEST_DEG_S * np.maximum(gaps_s, _PERIOD_S)
+    fastest_deg = _FASTEST_DEG_S * spans_s
     too_far = (steps_deg - np.clip(steps_deg, -fastest_deg, fastest_deg))[1:-1]
     jumps = np.where(np.abs(too_far) > np.abs(least), too_far, least)[after - 2 :]
     worth = jumps[np.abs(jumps) >= _WORTH_DEG]

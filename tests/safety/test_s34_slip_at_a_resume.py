@@ -121,6 +121,15 @@ def test_frames_that_come_in_bunches_or_not_at_all_jump_no_further():
     assert jump_deg(TIMES[lost], angles[lost], AT_S) == pytest.approx(0.0, abs=0.5)
 
 
+@pytest.mark.parametrize("slip", [0.0, -5.0, 85.0])
+@pytest.mark.parametrize("bunch_s", [0.01, 0.02, 0.04])
+def test_a_jump_in_bunched_frames_is_found_to_half_a_degree(bunch_s, slip):
+    bunched = np.floor(TIMES / bunch_s) * bunch_s + 1e-4 * np.arange(len(TIMES))
+    for at_s in AT_S + np.arange(0.02, 0.06, 0.005):
+        angles = fallen(300.0) + np.where(TIMES > at_s + 1e-6, slip, 0.0)
+        assert jump_deg(bunched, angles, AT_S) == pytest.approx(slip, abs=0.6)
+
+
 def test_what_jumped_before_the_resume_is_none_of_it():
     angles = np.where(TIMES > AT_S - 0.05, 7.0, 0.0)
     assert jump_deg(TIMES, angles, AT_S) == pytest.approx(0.0)
