@@ -125,8 +125,8 @@ def test_frames_that_come_in_bunches_or_not_at_all_jump_no_further():
 @pytest.mark.parametrize("bunch_s", [0.01, 0.02, 0.04])
 def test_a_jump_in_bunched_frames_is_found_to_half_a_degree(bunch_s, slip):
     bunched = np.floor(TIMES / bunch_s) * bunch_s + 1e-4 * np.arange(len(TIMES))
-    for at_s in AT_S + np.arange(0.02, 0.06, 0.005):
-        angles = fallen(300.0) + np.where(TIMES > at_s + 1e-6, slip, 0.0)
+    for later_s in np.arange(0.02, 0.06, 0.005):
+        angles = fallen(300.0) + np.where(TIMES > AT_S + later_s + 1e-6, slip, 0.0)
         assert jump_deg(bunched, angles, AT_S) == pytest.approx(slip, abs=0.6)
 
 
