@@ -644,9 +644,9 @@ def test_a_closed_connection_says_so(script):
         arm = armui_client.connect("a test")
         states = arm.subscribe(rate_hz=50)
         next(states)
-        assert arm.is_connected
+        was = [arm.is_connected]
         arm.close()
-        assert not arm.is_connected
+        assert [*was, arm.is_connected] == [True, False]
         arm.close()
         arm.state()
 
