@@ -102,7 +102,6 @@ class Shelf:
 class _Waiting:
     session: ClientSession
     call: Call
-    since_s: float
     bound: BoundOperation | None = None
     told: Consented | None = None
 
@@ -334,7 +333,7 @@ class Interface(QObject):
         self._show()
 
     def _on_call(self, session: ClientSession, call: Call) -> None:
-        waiting = _Waiting(session, call, self._clock())
+        waiting = _Waiting(session, call)
         try:
             value = self._carry_out(waiting)
         except CallError as wrong:
@@ -499,7 +498,7 @@ class Interface(QObject):
             self._calling = False
 
     def _begin(self, session: ClientSession, call: Call, bound: BoundOperation) -> None:
-        waiting = _Waiting(session, call, self._clock())
+        waiting = _Waiting(session, call)
         try:
             positional, named = taken(bound.carry_out, call.params)
         except CallError as wrong:

@@ -7,7 +7,8 @@ what it takes. The arguments of a call are read by them, and the schema is made 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Annotated, Any, Final
 
 from armui.arm.figures import Range, check_arguments
@@ -35,101 +36,21 @@ Points = Annotated[list[dict[str, Any]], Longest(MOST_POINTS)]
 Cycles = Annotated[int, Range(0, MOST_CYCLES)]
 
 
-def _hello(client: Name, protocol: int) -> None:
-    """Say who you are; the first call. Tells the arm, its limits and the rates."""
-
-
-def _ping() -> None:
-    """Nothing; any call keeps the lease, which ends after a second of silence."""
-
-
-def _state(fields: Fields | None = None) -> None:
-    """The measured state, each value with its age."""
-
-
-def _subscribe(
-    rate_hz: Annotated[float, Range(LEAST_RATE_HZ, MOST_RATE_HZ, "Hz")] = 10.0,
-    fields: Fields | None = None,
-) -> None:
-    """The same as notifications, at a rate up to 200 Hz."""
-
-
-def _unsubscribe() -> None:
-    """No more of them."""
-
-
-def _events() -> None:
-    """The events of the program, as they come."""
-
-
-def _operations() -> None:
-    """The operations, each with what speaks against it now."""
-
-
-def _request(purpose: str = "", *, moves: bool = True, max_speed_percent: Percent = 100) -> None:
-    """Ask the operator for the arm; answers once he has decided."""
-
-
-def _release() -> None:
-    """Give the arm back; its motion ends."""
-
-
-def _forward(joints_deg: Angles) -> None:
-    """The pose of the flange at six angles."""
-
-
-def _inverse(flange_pose_mm_deg: FlangePose, near_deg: Angles | None = None) -> None:
-    """The angles of a pose, nearest to others first."""
-
-
-def _stop() -> None:
-    """The emergency stop. Needs no lease."""
-
-
-def _halt() -> None:
-    """End any motion with power on. Needs no lease."""
-
-
-def _target(joints_deg: Angles | None = None, flange_pose_mm_deg: FlangePose | None = None) -> None:
-    """The newest target of a stream, at 10 to 100 Hz: six angles, or a pose of the flange."""
-
-
-def _stream_end() -> None:
-    """End the stream."""
-
-
-def _trajectories() -> None:
-    """The trajectories and recordings of the library."""
-
-
-def _trajectory(name: str, first_row: Row = 1, rows: Rows = MOST_POINTS) -> None:
-    """A trajectory or recording with some of its points or samples, in the form of its file."""
-
-
-def _check(name: str | None = None, points: Points | None = None) -> None:
-    """What speaks against a trajectory of the library, or points, from where the arm stands."""
-
-
-def _plan(name: str | None = None, points: Points | None = None) -> None:
-    """The same, with the path and the times at the points' own speeds."""
-
-
-def _run(name: str, cycles: Cycles = 1, first_row: Row = 1) -> None:
-    """Run a trajectory of the library, checked as by the operator; answers once it has begun."""
-
-
-def _end_motion() -> None:
-    """End your run, or any motion of yours, with power on; the lease stays."""
-
-
-_NUMBERS: Final = {"type": "array", "items": {"type": "number"}}
-_ROWS: Final = {"type": "array", "items": _NUMBERS}
-_OBJECT: Final = {"type": "object"}
-_OBJECTS: Final = {"type": "array", "items": _OBJECT}
 _TEXT: Final = {"type": "string"}
 _WHOLE: Final = {"type": "integer"}
+_FLAG: Final = {"type": "boolean"}
+_OBJECT: Final = {"type": "object"}
+_OBJECTS: Final[Json] = {"type": "array", "items": _OBJECT}
+_NUMBERS: Final = {"type": "array", "items": {"type": "number"}}
+_ROWS: Final = {"type": "array", "items": _NUMBERS}
+_HELLO: Final[Json] = {
+    **dict.fromkeys(("program", "version"), _TEXT),
+    **dict.fromkeys(("protocol", "client"), _WHOLE),
+    **dict.fromkeys(("arm", "rates"), _OBJECT),
+    "limits": _OBJECTS,
+}
 _CHECKED: Final = {"name": _TEXT, "errors": _WHOLE, "warnings": _WHOLE, "findings": _OBJECTS}
-_STATE: Final = {"sequence": _WHOLE, "measured": _OBJECT}
+_PLANNED: Final = {"rows": _NUMBERS, **dict.fromkeys(("expected_s", "times_s"), _NUMBERS)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,8 +64,8 @@ class Method:
     """
 
     takes: Callable[..., None]
-    answers: Mapping[str, Any] = field(default_factory=dict)
-    leased: bool = False
+    answers: Mapping[str, Any]
+    leased: bool
 
     @property
     def summary(self) -> str:
@@ -152,48 +73,134 @@ class Method:
         return self.takes.__doc__ or ""
 
 
-METHODS: Final[Mapping[str, Method]] = {
-    "hello": Method(
-        _hello,
-        {
-            **dict.fromkeys(("program", "version"), _TEXT),
-            **dict.fromkeys(("protocol", "client"), _WHOLE),
-            **dict.fromkeys(("arm", "rates"), _OBJECT),
-            "limits": _OBJECTS,
-        },
-    ),
-    "ping": Method(_ping),
-    "state.get": Method(_state, _STATE),
-    "state.subscribe": Method(_subscribe),
-    "state.unsubscribe": Method(_unsubscribe),
-    "events.subscribe": Method(_events),
-    "events.unsubscribe": Method(_unsubscribe),
-    "operations.list": Method(_operations, _OBJECTS),
-    "lease.request": Method(_request, {"lease": _WHOLE, "max_speed_percent": _WHOLE}),
-    "lease.release": Method(_release, leased=True),
-    "kinematics.fk": Method(_forward, {"flange_pose_mm_deg": _NUMBERS}),
-    "kinematics.ik": Method(_inverse, {"joints_deg": _ROWS}),
-    "stop": Method(_stop),
-    "halt": Method(_halt),
-    "stream.target": Method(_target, {"superseded": {"type": "boolean"}}, leased=True),
-    "stream.end": Method(_stream_end, leased=True),
-    "trajectory.list": Method(_trajectories, _OBJECTS),
-    "trajectory.get": Method(_trajectory, {"kind": _TEXT, "count": _WHOLE, "name": _TEXT}),
-    "trajectory.check": Method(_check, _CHECKED),
-    "trajectory.plan": Method(
-        _plan,
-        {
-            **_CHECKED,
-            "expected_s": _NUMBERS,
-            "times_s": _NUMBERS,
-            "joints_deg": _ROWS,
-            "rows": {"type": "array", "items": _WHOLE},
-        },
-    ),
-    "trajectory.run": Method(_run, {"number": _WHOLE}, leased=True),
-    "trajectory.stop": Method(_end_motion, leased=True),
-}
+_METHODS: Final[dict[str, Method]] = {}
+METHODS: Final[Mapping[str, Method]] = _METHODS
 """The methods beside the operations."""
+
+
+def _method(
+    name: str, answers: Mapping[str, Any] = MappingProxyType({}), *, leased: bool = False
+) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Declare a method with the schemas of its answer's parts by name, or of the whole."""
+
+    def declare(takes: Callable[..., None]) -> Callable[..., None]:
+        _METHODS[name] = Method(takes, answers, leased)
+        return takes
+
+    return declare
+
+
+@_method("hello", _HELLO)
+def _hello(client: Name, protocol: int) -> None:
+    """Say who you are; the first call. Tells the arm, its limits and the rates."""
+
+
+@_method("ping")
+def _ping() -> None:
+    """Nothing; any call keeps the lease, which ends after a second of silence."""
+
+
+@_method("state.get", {"sequence": _WHOLE, "measured": _OBJECT})
+def _state(fields: Fields | None = None) -> None:
+    """The measured state, each value with its age."""
+
+
+@_method("state.subscribe")
+def _subscribe(
+    rate_hz: Annotated[float, Range(LEAST_RATE_HZ, MOST_RATE_HZ, "Hz")] = 10.0,
+    fields: Fields | None = None,
+) -> None:
+    """The same as notifications, at a rate up to 200 Hz."""
+
+
+@_method("state.unsubscribe")
+def _unsubscribe() -> None:
+    """No more of them."""
+
+
+@_method("events.subscribe")
+def _events() -> None:
+    """The events of the program, as they come."""
+
+
+@_method("events.unsubscribe")
+def _no_events() -> None:
+    """No more of them."""
+
+
+@_method("operations.list", _OBJECTS)
+def _operations() -> None:
+    """The operations, each with what speaks against it now."""
+
+
+@_method("lease.request", {"lease": _WHOLE, "max_speed_percent": _WHOLE})
+def _request(purpose: str = "", *, moves: bool = True, max_speed_percent: Percent = 100) -> None:
+    """Ask the operator for the arm; answers once he has decided."""
+
+
+@_method("lease.release", leased=True)
+def _release() -> None:
+    """Give the arm back; its motion ends."""
+
+
+@_method("kinematics.fk", {"flange_pose_mm_deg": _NUMBERS})
+def _forward(joints_deg: Angles) -> None:
+    """The pose of the flange at six angles."""
+
+
+@_method("kinematics.ik", {"joints_deg": _ROWS})
+def _inverse(flange_pose_mm_deg: FlangePose, near_deg: Angles | None = None) -> None:
+    """The angles of a pose, nearest to others first."""
+
+
+@_method("stop")
+def _stop() -> None:
+    """The emergency stop. Needs no lease."""
+
+
+@_method("halt")
+def _halt() -> None:
+    """End any motion with power on. Needs no lease."""
+
+
+@_method("stream.target", {"superseded": _FLAG}, leased=True)
+def _target(joints_deg: Angles | None = None, flange_pose_mm_deg: FlangePose | None = None) -> None:
+    """The newest target of a stream, at 10 to 100 Hz: six angles, or a pose of the flange."""
+
+
+@_method("stream.end", leased=True)
+def _stream_end() -> None:
+    """End the stream."""
+
+
+@_method("trajectory.list", _OBJECTS)
+def _trajectories() -> None:
+    """The trajectories and recordings of the library."""
+
+
+@_method("trajectory.get", {"name": _TEXT, "kind": _TEXT, "count": _WHOLE})
+def _trajectory(name: str, first_row: Row = 1, rows: Rows = MOST_POINTS) -> None:
+    """A trajectory or recording with some of its points or samples, in the form of its file."""
+
+
+@_method("trajectory.check", _CHECKED)
+def _check(name: str | None = None, points: Points | None = None) -> None:
+    """What speaks against a trajectory of the library, or points, from where the arm stands."""
+
+
+@_method("trajectory.plan", {**_CHECKED, **_PLANNED, "joints_deg": _ROWS})
+def _plan(name: str | None = None, points: Points | None = None) -> None:
+    """The same, with the path and the times at the points' own speeds."""
+
+
+@_method("trajectory.run", {"number": _WHOLE}, leased=True)
+def _run(name: str, cycles: Cycles = 1, first_row: Row = 1) -> None:
+    """Run a trajectory of the library, checked as by the operator; answers once it has begun."""
+
+
+@_method("trajectory.stop", leased=True)
+def _end_motion() -> None:
+    """End your run, or any motion of yours, with power on; the lease stays."""
 
 
 def read(method: str, params: Json) -> dict[str, Any]:
@@ -214,7 +221,7 @@ def read(method: str, params: Json) -> dict[str, Any]:
 
 def schema_of(name: str, method: Method) -> Json:
     """Return a method as OpenRPC has it."""
-    answers = method.answers
+    answers = dict(method.answers)
     whole = answers if "type" in answers else {"type": "object", "properties": answers}
     return {
         "name": name,

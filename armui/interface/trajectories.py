@@ -14,7 +14,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from armui.arm.refusal import Reason, Refusal
-from armui.control.run.preflight import Checks, Preflight, Works
+from armui.control.run.preflight import Checks, Preflight, Then, Works
 from armui.control.run.run_request import RequestState, RunRequest
 from armui.control.run.runner import Runner
 from armui.interface.messages import CallError, Code, Json, english, figures, plain
@@ -42,11 +42,9 @@ CHECK_TOO_LONG = Reason(
 )
 CHECK_BUSY = Reason("check_busy", "Something else is being checked for you. Wait for its answer.")
 
+_LISTED: Final = ("name", "kind", "count", "length_s", "note", "folder", "check")
 _GIVEN: Final = "points"
 """The name of points that a client gives."""
-
-Then = Callable[[Any], object]
-"""Takes an answer, a `Refusal` or a `CallError`."""
 
 
 class ClientRunner(Runner):
@@ -107,6 +105,7 @@ class Trajectories:
         self.runner = runner
         self._clock = clock
         self._checks = Checks(controller, works)
+        self._checks.get_ready()
         self._checked_for: set[int] = set()
 
     def ask(self, method: str, client: int, then: Then, **params: Any) -> None:
@@ -220,14 +219,8 @@ def _alone(library: Library, work: Callable[[Library], Any]) -> object:
 def _listed(library: Library) -> list[Json]:
     return [
         {
-            "name": each.name,
-            "kind": each.kind,
-            "count": each.count,
-            "length_s": each.length_s,
+            **{name: getattr(each, name) for name in _LISTED},
             "modified": each.modified.isoformat(),
-            "note": each.note,
-            "folder": each.folder,
-            "check": each.check,
             "has_run": each.ran_with is not None,
             "damage": None if each.damage is None else plain(each.damage.refusal),
         }

@@ -17,6 +17,8 @@ WORK_FAILED = Reason("work_failed", "The program could not finish this: {text}. 
 
 
 Result = TypeVar("Result")
+Then = Callable[[Any], object]
+"""Receives the result of work, or a `Refusal`; see :class:`Job`."""
 
 
 @dataclass(slots=True, eq=False)
@@ -62,24 +64,16 @@ class Background(QObject):
             return result
         return function(*args)
 
-    def begin(
-        self, then: Callable[[Any], object], work: Callable[..., object], /, *args: object
-    ) -> None:
+    def begin(self, then: Then, work: Callable[..., object], /, *args: object) -> None:
         """Run a function of a module; its recipient, as a `Job`, is called in this thread."""
         self._begin(self._workers, then, work, *args)
 
-    def begin_here(
-        self, then: Callable[[Any], object], work: Callable[..., object], /, *args: object
-    ) -> None:
+    def begin_here(self, then: Then, work: Callable[..., object], /, *args: object) -> None:
         """Run a function in another thread of this process, otherwise like `begin`."""
         self._begin(self._files, then, work, *args)
 
     def _begin(
-        self,
-        executor: Executor,
-        then: Callable[[Any], object],
-        work: Callable[..., object],
-        *args: object,
+        self, executor: Executor, then: Then, work: Callable[..., object], *args: object
     ) -> None:
         # the callback runs in a thread of the executor; the signal brings the result into this one
         executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(then, done))
@@ -88,7 +82,7 @@ class Background(QObject):
         """Run work whose result nobody waits for."""
         self._workers.submit(work)
 
-    def _on_arrived(self, then: Callable[[Any], object], done: Future[object]) -> None:
+    def _on_arrived(self, then: Then, done: Future[object]) -> None:
         if not done.cancelled():
             error = done.exception()
             then(done.result() if error is None else WORK_FAILED(text=error_text(error)))

@@ -3140,14 +3140,6 @@
         <translation>允许一次</translation>
     </message>
     <message>
-        <source>Row {row}: {text}</source>
-        <translation>第 {row} 行：{text}</translation>
-    </message>
-    <message>
-        <source>! Warning: {text}</source>
-        <translation>! 警告：{text}</translation>
-    </message>
-    <message>
         <source>{count} more</source>
         <translation>还有 {count} 条</translation>
     </message>

@@ -48,6 +48,8 @@ FINDINGS_AGAINST = Reason(
 )
 
 
+Then = Callable[[Any], object]
+"""Takes a result, or why there is none."""
 _SAME_PLACE_DEG: Final = 0.5
 """The measured angles of an arm at rest waver by some hundredths."""
 
@@ -185,14 +187,10 @@ def carried_by(controller: ArmController, content: Content) -> dict[str, Carried
 class Works(Protocol):
     """Runs work elsewhere; its recipient gets the result, or why there is none, in this thread."""
 
-    def begin(
-        self, then: Callable[[Any], object], work: Callable[..., Any], /, *args: object
-    ) -> object:
+    def begin(self, then: Then, work: Callable[..., Any], /, *args: object) -> object:
         """Run a function of a module, possibly in another process."""
 
-    def begin_here(
-        self, then: Callable[[Any], object], work: Callable[..., Any], /, *args: object
-    ) -> object:
+    def begin_here(self, then: Then, work: Callable[..., Any], /, *args: object) -> object:
         """Run work that waits for a disk, in a thread of this process."""
 
     def warm_up(self, work: Callable[[], object]) -> object:

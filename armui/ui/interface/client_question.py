@@ -282,14 +282,10 @@ class ConsentDialog(ClientQuestion):
 
     def _findings(self) -> Iterator[str]:
         """Yield what the check before a run has found, as the operator reads it at his own."""
-        from armui.ui.words.findings import finding as finding_text  # noqa: PLC0415 - scipy
+        from armui.ui.words.findings import finding_line  # noqa: PLC0415 - scipy
 
         findings = self._consent.findings
-        for found in findings[:_MOST_FOUND]:
-            text = finding_text(found)
-            if found.row is not None:
-                text = self.tr("Row {row}: {text}").format(row=found.row + 1, text=text)
-            yield self.tr("! Warning: {text}").format(text=text)
+        yield from map(finding_line, findings[:_MOST_FOUND])
         if len(findings) > _MOST_FOUND:
             yield self.tr("{count} more").format(count=len(findings) - _MOST_FOUND)
 

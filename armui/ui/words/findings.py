@@ -5,11 +5,17 @@ from __future__ import annotations
 from typing import Final
 
 from armui.trajectory.planning.check import OTHER_ARM
-from armui.trajectory.planning.findings import Finding
+from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.words.arm import ARM_PARTS, arm_kind, part_name
-from armui.ui.words.text import Texts, said
+from armui.ui.words.text import Text, Texts, said
 
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
+
+_ROW: Final = Text("FindingsPane", "Row {row}: {text}")
+_KINDS: Final = {
+    Severity.ERROR: Text("FindingsPane", "✕ Error"),
+    Severity.WARNING: Text("FindingsPane", "! Warning"),
+}
 
 PARTS: Final = frozenset(ARM_PARTS)
 """The parts of the arm that have a name."""
@@ -34,6 +40,14 @@ def finding(found: Finding) -> str:
     if found.cycle == 1:
         return text
     return _CYCLES.text("later", {"cycle": str(found.cycle), "text": text})
+
+
+def finding_line(found: Finding) -> str:
+    """Return a finding with its weight and its row."""
+    text = finding(found)
+    if found.row is not None:
+        text = _ROW.text().format(row=found.row + 1, text=text)
+    return f"{_KINDS[found.severity].text()} · {text}"
 
 
 def _text(value: float | str) -> str:

@@ -19,7 +19,7 @@ from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.findings import finding as finding_text
+from armui.ui.words.findings import finding_line
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -171,11 +171,7 @@ class FindingsPane(HasActs, Translated, QWidget):
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
-        text = finding_text(finding)
-        if finding.row is not None:
-            text = self.tr("Row {row}: {text}").format(row=finding.row + 1, text=text)
-        kind = self.tr("✕ Error") if error else self.tr("! Warning")
-        item = QListWidgetItem(f"{kind} · {text}")
+        item = QListWidgetItem(finding_line(finding))
         item.setData(Qt.ItemDataRole.UserRole, finding)
         colors = colors_of(self)
         item.setForeground(QColor(colors.stop_ink if error else colors.warn))

@@ -515,7 +515,9 @@ class Arm:
             The result; of an operation its :class:`Operation`.
         """
         lease = None if method in _WITHOUT_LEASE else self._connection.lease()
-        result = self._connection.ask(method, args, OPERATOR_S, lease=lease)
+        # a run is checked before the operator is asked
+        most_s = 3 * OPERATOR_S if method == "trajectory.run" else OPERATOR_S
+        result = self._connection.ask(method, args, most_s, lease=lease)
         if not isinstance(result, dict) or set(result) != {"number"}:
             return result
         begun = Operation(self._connection, method, result["number"], lease)
