@@ -22,7 +22,9 @@ MOST_RATE_HZ: Final = 200.0
 LEAST_RATE_HZ: Final = 0.1
 NAME_LENGTH: Final = 80
 MOST_POINTS: Final = 1000
-"""A check of a client's has at most so many points or samples, and so has an answer with them."""
+"""A check of a client's has at most so many points, and an answer so many points or samples."""
+MOST_SAMPLES: Final = 30_000
+"""So many has the check of a recording: five minutes at 100 Hz, in a fifth of a second."""
 
 Angles = Annotated[Sequence[float], "°"]
 FlangePose = Annotated[Sequence[float], "mm, °"]

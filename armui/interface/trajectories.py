@@ -18,7 +18,7 @@ from armui.control.run.preflight import Checks, Preflight, Then, Works
 from armui.control.run.run_request import RequestState, RunRequest
 from armui.control.run.runner import Runner
 from armui.interface.messages import CallError, Code, Json, english, figures, plain
-from armui.interface.methods import MOST_POINTS
+from armui.interface.methods import MOST_POINTS, MOST_SAMPLES
 from armui.trajectory.files import Content, TrajectoryFileError, json_file
 from armui.trajectory.files.model import VERSIONS
 from armui.trajectory.library.run_options import RunOptions, begin_percent
@@ -252,9 +252,13 @@ def _loaded(library: Library, name: str | None, points: Any = None) -> tuple[Con
     if name is None:
         return _given(points), False
     content = library.load(name)
-    count = len(content.samples if isinstance(content, Recording) else content.points)
-    if count > MOST_POINTS:
-        raise LibraryError(CHECK_TOO_LONG(name=name, count=count, maximum=MOST_POINTS))
+    count, most = (
+        (len(content.samples), MOST_SAMPLES)
+        if isinstance(content, Recording)
+        else (len(content.points), MOST_POINTS)
+    )
+    if count > most:
+        raise LibraryError(CHECK_TOO_LONG(name=name, count=count, maximum=most))
     seen = any(each.name == name and each.ran_with is not None for each in library.entries())
     return content, seen
 

@@ -51,6 +51,8 @@ def test_the_library_is_typed_and_a_trajectory_is_run(with_lease, script):
         rows = arm.trajectory("way")["points"]
         checked, plan = arm.check("way"), arm.plan(rows)
         assert checked.findings == plan.findings
+        with pytest.raises(armui_client.Invalid, match="at most 65536"):
+            arm.check(rows * 500)
         assert (checked.errors, len(plan.expected_s)) == (0, 2)
         assert plan.joints_deg[-1] == pytest.approx(READY, abs=0.01)
         with pytest.raises(armui_client.Refused, match="not in the library") as found:

@@ -2,6 +2,7 @@
 
 import itertools
 
+import numpy as np
 import pytest
 
 from armui.arm.refusal import Refusal
@@ -13,6 +14,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.run_options import FIRST_RUN_PERCENT, RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import COLUMN_COUNT, Recording
 from tests.app_driver import Slow
 from tests.interface.conftest import with_lease
 
@@ -227,6 +229,27 @@ def test_the_end_of_the_lease_ends_the_run_wherever_it_is(leased, desk, library,
     before = tuple(desk.rig.firmware.joints_deg)
     desk.rig.run(1.0)
     assert desk.rig.firmware.joints_deg == pytest.approx(before, abs=0.05)
+
+
+def test_a_recording_is_replayed_and_ended_with_the_lease(leased, desk, library):
+    samples = np.full((1500, COLUMN_COUNT), np.nan)
+    samples[:, 0] = np.arange(1500) / 100.0
+    samples[:, 1:7] = 0.0
+    samples[:, 1] = np.linspace(0.0, 30.0, 1500)
+    library.save(Recording("slow", samples=samples))
+    library.note_run("slow", RunOptions())
+    assert leased.ask("trajectory.get", name="slow")["samples"][0] == [0.0] * 7
+    assert leased.ask("trajectory.check", name="slow")["findings"] == []
+    assert "result" in leased.answer(run(leased, "slow"))
+    replayer = desk.rig.controller.replayer
+    wait(leased, lambda: replayer.phase is RunPhase.MOVING and desk.rig.firmware.joints_deg[0] > 2)
+    desk.take_back()
+    desk.rig.run(1.5)
+    before = desk.rig.firmware.joints_deg[0]
+    desk.rig.run(1.0)
+    assert not replayer.running
+    assert desk.rig.firmware.joints_deg[0] == pytest.approx(before, abs=0.05)
+    assert before < 25.0
 
 
 def test_it_ends_its_run_and_keeps_the_lease(leased, desk, library, monkeypatch):

@@ -245,7 +245,7 @@ class Arm:
 
         Args:
             trajectory: A name of the library, or points as :meth:`trajectory` returns them; at most
-                1,000.
+                1,000, or 30,000 samples of a recording; points of your own at most 64 KiB of JSON.
 
         Raises:
             Refused: There is none of this name, it has more points, or another is being checked.

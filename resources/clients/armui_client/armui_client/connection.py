@@ -28,6 +28,8 @@ ANSWER_S: Final = 10.0
 _SEND_S: Final = 5.0
 _BEAT_S: Final = 0.3
 """armui ends the lease of a client that says nothing for a second."""
+_MOST_BYTES: Final = 65536
+"""armui ends the connection of who sends a longer line."""
 _KEPT: Final = 1000
 _LEASE_GOES_ON: Final = frozenset({"lease_declined", "lease_moves_nothing", "lease_too_fast"})
 """Reasons about a lease that leave it held."""
@@ -236,6 +238,8 @@ class Connection:
         if number is not None:
             message["id"] = number
         line = json.dumps(message, allow_nan=False).encode() + b"\n"
+        if len(line) > _MOST_BYTES:
+            raise Invalid(f"{method} has {len(line)} bytes of arguments; at most {_MOST_BYTES}.")
         with self._writing:
             # an interrupt may have torn the line before: this one begins on its own
             line, self._torn = (b"\n" if self._torn else b"") + line, True
