@@ -54,7 +54,7 @@ WITHOUT: Final[Mapping[str, str]] = {
     "reference.drive": _REFERENCE,
     "reference.finish": _REFERENCE,
     "reference.teach": _REFERENCE,
-    "replay.start": "a replay is begun by the operator",
+    "replay.start": "trajectory.run replays a recording of the library by its name",
     "run.start": "trajectory.run runs a trajectory of the library by its name",
     "settings.read": "the settings are read in the window",
     "settings.reset_end_limits": "the settings are the operator's, who reads what changes",
