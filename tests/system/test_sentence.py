@@ -46,7 +46,7 @@ def figures_of(source: str) -> set[str]:
 
 @cache
 def known(path: Path, tree: ast.Module) -> dict[str, Constant]:
-    """The sentences that a module has names for: its own, and those it imports."""
+    """The sentences that a module has names for: its own, and those it imports, with ``a.NAME``."""
     names = {name: each for (place, name), each in by_place().items() if place == path}
     for node in ast.walk(tree):
         if isinstance(node, ast.ImportFrom) and node.module:
@@ -54,7 +54,23 @@ def known(path: Path, tree: ast.Module) -> dict[str, Constant]:
             for alias in node.names:
                 if (there, alias.name) in by_place():
                     names[alias.asname or alias.name] = by_place()[there, alias.name]
+                module = there.with_suffix("") / f"{alias.name}.py"
+                names |= {
+                    f"{alias.name}.{name}": each
+                    for (place, name), each in by_place().items()
+                    if place == module
+                }
     return names
+
+
+def name_of(node: ast.AST) -> str:
+    """The name, or module and name, that is read there; "" for anything else."""
+    match node:
+        case ast.Name(id=name, ctx=ast.Load()):
+            return name
+        case ast.Attribute(value=ast.Name(id=module), attr=name):
+            return f"{module}.{name}"
+    return ""
 
 
 def raised(path: Path, tree: ast.Module) -> Iterator[tuple[Constant, ast.Call]]:
@@ -75,8 +91,8 @@ def raised(path: Path, tree: ast.Module) -> Iterator[tuple[Constant, ast.Call]]:
         for each in said:
             either = (each.body, each.orelse) if isinstance(each, ast.IfExp) else (each,)
             for one in either:
-                if isinstance(one, ast.Name) and one.id in names:
-                    yield names[one.id], node
+                if name_of(one) in names:
+                    yield names[name_of(one)], node
 
 
 def test_an_id_is_given_once_in_its_context_and_is_the_constants_name():
@@ -120,11 +136,10 @@ def test_the_figures_given_are_those_of_the_sentence():
 
 def test_each_is_raised_or_asked_for():
     used: set[object] = {
-        known(path, tree)[node.id]
+        known(path, tree)[name_of(node)]
         for path, tree in modules()
         for node in ast.walk(tree)
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
-        if node.id in known(path, tree)
+        if name_of(node) in known(path, tree)
     }
     used |= {
         (node.value.id, node.attr)

@@ -195,6 +195,7 @@ class ArmuiRobot(Robot):
             self._refused_since_s = now_s
             _LOG.warning("armui does not follow (%s): %s", refused.reason, refused)
         if now_s - self._refused_since_s >= self.config.give_up_after_s:
+            self._refused_since_s = None
             raise refused
 
     def _connected(self) -> armui_client.Arm:
