@@ -30,6 +30,8 @@ STRANGER: Final = Path(__file__).with_name("stranger.py")
 WITHIN_S: Final = 90.0
 NAMES: Final = [f"joint{number}" for number in range(1, 7)]
 HOME: Final = (0.0, 40.0, -50.0, 0.0, 20.0, 0.0)
+UP: Final = ((1.5, (0.0, 30.0, -10.0, 0.0, 20.0, 0.0)), (3.0, HOME))
+"""From the pose in which the arm rests, the hand near the base."""
 FAR: Final = (100.0, 40.0, -50.0, 0.0, 20.0, 0.0)
 
 failed: list[str] = []
@@ -125,6 +127,11 @@ class Bench:
             stdout=subprocess.PIPE,
             text=True,
         )
+
+    def logged(self, words: str) -> list[str]:
+        """What the node has logged."""
+        lines = self.log.read_text(encoding="utf-8", errors="replace").splitlines()
+        return [line.partition("[armui]: ")[2] for line in lines if words in line]
 
     def told(self, stranger: subprocess.Popen[str]) -> dict[str, Any]:
         told, _ = stranger.communicate(timeout=WITHIN_S)
@@ -223,7 +230,7 @@ def refused_with_reasons(bench: Bench) -> None:
 def follows(bench: Bench) -> None:
     enabled = bench.ask("call", "enable")
     expect("enabled", enabled["message"], holds=enabled["success"])
-    found = bench.send(trajectory((3.0, HOME)))
+    found = bench.send(trajectory(*UP))
     expect(
         "from its rest pose", found["last_trajectory"], holds=found["last_trajectory_code"] == "0"
     )
@@ -232,7 +239,7 @@ def follows(bench: Bench) -> None:
     told = trajectory((0.0, HOME), (1.5, there), (3.5, back), (5.0, HOME), smooth=True)
     found = bench.send(told)
     expect("followed", found["last_trajectory"], holds=found["last_trajectory_code"] == "0")
-    print("       node:", next(each for each in found["messages"] if each.startswith("Follows")))
+    print("       node:", bench.logged("first target")[-1])
     for name in ("rate_hz", "age_ms", "moved_after_ms", "error_deg", "late_ms", "error_late_deg"):
         print(f"       {name}: {found[name]}")
     expect("error, late, °", found["error_late_deg"], holds=found["error_late_deg"]["rms"] < 2.0)
@@ -241,8 +248,8 @@ def follows(bench: Bench) -> None:
     expect("ends at its goal, off by °", round(apart, 3), holds=apart < 1.0)
     other = (-30.0, *HOME[1:])
     found = bench.send(trajectory((4.0, FAR)), trajectory((3.0, other)))
-    replaced = any("Replaced" in each for each in found["messages"])
-    expect("replaced by a newer one", found["last_trajectory"], holds=replaced)
+    replaced = bench.logged("Replaced by a newer trajectory")
+    expect("replaced by a newer one", replaced, holds=len(replaced) == 1)
     rest_deg = bench.rest()
     expect("which is followed, °", rest_deg, holds=abs(rest_deg - other[0]) < 1.0)
 
@@ -271,7 +278,7 @@ def ended_by_others(bench: Bench) -> None:
 
 def killed(bench: Bench) -> None:
     bench.ask("call", "enable")
-    bench.send(trajectory((3.0, HOME)))
+    bench.send(trajectory(*UP))
     # 60 °/s is the most
     stranger = bench.begin("send", json.dumps(trajectory((100.0 / 55.0, FAR))))
     began_deg = bench.when_at(40.0, bench.node.kill)

@@ -33,7 +33,6 @@ class Stranger:
         self.node = rclpy.create_node("stranger")
         self.heard = []
         self.status = {}
-        self.messages = []
         self.node.create_subscription(JointState, "/joint_states", self.on_joints, 100)
         kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.node.create_subscription(DiagnosticArray, "/armui/status", self.on_status, kept)
@@ -48,7 +47,6 @@ class Stranger:
     def on_status(self, message):
         (status,) = message.status
         self.status = {each.key: each.value for each in status.values}
-        self.messages.append(status.message)
 
     def wait(self, done, within_s=WITHIN_S):
         until_s = time.monotonic() + within_s
@@ -121,7 +119,6 @@ class Stranger:
         publisher = self.node.create_publisher(JointTrajectory, "/joint_trajectory", 1)
         self.wait(lambda: publisher.get_subscription_count() and self.status and self.of_arm())
         ended = int(self.status["trajectories_ended"])
-        self.messages.clear()
         for number, each in enumerate(several):
             if number:
                 until_s = time.monotonic() + 1.0
@@ -136,7 +133,6 @@ class Stranger:
             **{name: each for name, each in self.status.items() if name.startswith("last")},
             **(self.pace(heard) if len(heard) > 1 else {}),
             "lease": self.status["lease"],
-            "messages": self.messages,
             **errors(several[-1], heard, sent.nanoseconds * 1e-9),
         }
 

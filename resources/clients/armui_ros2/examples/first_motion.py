@@ -8,7 +8,7 @@ from std_srvs.srv import Trigger
 from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 JOINTS = ["joint1", "joint2", "joint3", "joint4", "joint5", "joint6"]
-WAY_RAD = [(3, [0.0, 0.7, -0.9, 0.0, 0.3, 0.0]), (6, [0.6, 0.9, -1.1, 0.2, 0.3, 0.2])]
+WAY_RAD = [(2, [0.0, 0.5, -0.2, 0.0, 0.3, 0.0]), (5, [0.6, 0.9, -1.1, 0.2, 0.3, 0.2])]
 """Seconds from the start, and the six angles then."""
 
 
