@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Final, TextIO
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.exports.request import (
     ArmOptions,
+    EpisodeOptions,
     ExportCancelledError,
     ExportError,
     ExportFormat,
@@ -125,7 +126,16 @@ def problem_text(problem: ExportProblem, detail: str, request: ExportRequest) ->
             "Parquet needs the package pyarrow: pip install 'armui[parquet]' "
             "(CSV has the same table without it)"
         ),
+        ExportProblem.NO_EPISODE: Told(
+            "nothing to export: no stretch of a second in which the angles were heard and the arm "
+            "told no fault; no dataset was written"
+        ),
     }
+    if problem is ExportProblem.EXISTS and request.format is ExportFormat.LEROBOT:
+        return Told(
+            "{target} is there already, and a dataset is never replaced; give another name with -o",
+            target=target,
+        )
     return texts[problem]
 
 
@@ -187,7 +197,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declares the command's arguments, which `run` receives as parsed."""
     parser.description = (
         "Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or "
-        "every frame as a CSV file for each message."
+        "every frame as a CSV file for each message; its episodes as a dataset of LeRobot."
     )
     parser.epilog = (
         "Exit code: 0 all exported, 1 exported but for places of the log that cannot be read "
@@ -203,7 +213,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--to",
         choices=[str(each) for each in ExportFormat],
         help="format (default: what the target's name says, else mcap); csv-messages makes a "
-        "folder with a file for each message; parquet needs pyarrow",
+        "folder with a file for each message, lerobot one with a dataset of LeRobot; these and "
+        "parquet need pyarrow",
     )
     parser.add_argument(
         "-o", "--output", type=Path, help="target (default: the log's name with another ending)"
@@ -234,6 +245,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--channel", help="channel of the log (default: that on which most of an arm is heard)"
     )
+    chosen = EpisodeOptions()
+    parser.add_argument(
+        "--fps", type=_rate, default=chosen.fps, metavar="N",
+        help="of a dataset of LeRobot: frames a second, 1 to 200 (30)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--task", default=chosen.task, metavar="TEXT",
+        help="of a dataset of LeRobot: what was done, where its episodes don't say it (PiPER)",
+    )  # fmt: skip
     parser.add_argument("--force", action="store_true", help="replace a target that is there")
     parser.add_argument(
         "--json", action="store_true", help="progress and result as JSON, one object a line"
@@ -292,6 +312,7 @@ def _request(options: argparse.Namespace) -> ExportRequest:
             None if options.model is None else PiperModel(options.model),
         ),
         options.force,
+        EpisodeOptions(options.fps, options.task),
     )
 
 
@@ -325,6 +346,8 @@ class _Said:
         text = Told("{target}: {count:,} rows", target=self._request.target, count=report.items)
         if self._request.format is ExportFormat.MCAP:
             text = Told("{target}: {count:,} messages", **text.figures)
+        elif self._request.format is ExportFormat.LEROBOT:
+            text = Told("{target}: {count:,} frames", **text.figures)
         sys.stdout.write(f"{say(text)}\n")
 
     def _complain(self, text: str) -> None:
@@ -380,6 +403,14 @@ def _seconds(text: str) -> float:
             say("{text!r} is no number of seconds, 0 or more", text=text)
         )
     return seconds
+
+
+def _rate(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 200):
+        raise argparse.ArgumentTypeError(
+            say("{text!r} is no rate of 1 to 200 frames a second", text=text)
+        )
+    return int(text)
 
 
 def _version(text: str) -> str:

@@ -22,6 +22,7 @@ from armui.session.exports.request import (
 from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
 from armui.session.recording.recorded_session import RecordedSession
+from armui.session.recording.sidecar import marks_of
 from armui.system.atomic import WholeFile, WholeFolder, remove_abandoned
 from armui.system.files import error_text
 
@@ -210,7 +211,7 @@ class _Export:
             arm, batches = look_at(self._source.batches(), request.wishes, self._source.lines)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
-            sink = _sink(request.format, target, _facts(request, arm))
+            sink = self._sink(target, _facts(request, arm))
             reader, history = ArmFrameReader(arm.channel), History(arm.codec)
             try:
                 self._write(arm, batches, sink, reader, history)
@@ -220,6 +221,29 @@ class _Export:
                 raise
             target.finish()
         return self._report(arm, sink, reader, history)
+
+    def _sink(self, target: WholeFile | WholeFolder, facts: ExportFacts) -> Sink:
+        request = self._request
+        try:
+            if request.format is ExportFormat.LEROBOT:
+                from armui.session.exports.lerobot.episodes import (  # noqa: PLC0415 - pyarrow
+                    LeRobotDataset,
+                    marked_episodes,
+                )
+
+                marked = marked_episodes(marks_of(self._source.lines))
+                return LeRobotDataset(target.unfinished, facts, request.episodes, marked)
+            if isinstance(target, WholeFolder):
+                return CsvMessages(target.unfinished, facts)
+            if request.format is ExportFormat.CSV:
+                return CsvTable(target.stream, facts)
+            if request.format is ExportFormat.PARQUET:
+                return ParquetTable(target.stream, facts)
+        except ImportError as error:
+            raise ExportError(ExportProblem.NO_PYARROW, str(error)) from error
+        from armui.session.exports.ros.mcap_file import McapFile  # noqa: PLC0415 - the packages mcap, zstandard, lz4
+
+        return McapFile(target.stream, facts)
 
     def _write(
         self,
@@ -267,7 +291,7 @@ class _Export:
             without_stamp=getattr(sink, "without_stamp", 0),
             damages=tuple(self._source.damages[:_MOST_DAMAGES_TOLD]),
             damage_count=self._source.damage_count,
-            notes=tuple(self._source.notes),
+            notes=(*self._source.notes, *getattr(sink, "notes", ())),
         )
 
 
@@ -285,25 +309,11 @@ def _facts(request: ExportRequest, arm: ExportedArm) -> ExportFacts:
 
 def _whole(request: ExportRequest) -> WholeFile | WholeFolder:
     remove_abandoned(request.target.parent)
+    if request.format is ExportFormat.LEROBOT:
+        return WholeFolder(request.target, "", replace=False)
     if request.format.is_folder:
         return WholeFolder(request.target, ".csv", replace=request.replace)
     return WholeFile(request.target, replace=request.replace)
-
-
-def _sink(export_format: ExportFormat, target: WholeFile | WholeFolder, facts: ExportFacts) -> Sink:
-    if isinstance(target, WholeFolder):
-        return CsvMessages(target.unfinished, facts)
-    stream = target.stream
-    if export_format is ExportFormat.CSV:
-        return CsvTable(stream, facts)
-    if export_format is ExportFormat.PARQUET:
-        try:
-            return ParquetTable(stream, facts)
-        except ImportError as error:
-            raise ExportError(ExportProblem.NO_PYARROW, str(error)) from error
-    from armui.session.exports.ros.mcap_file import McapFile  # noqa: PLC0415 - the packages mcap, zstandard, lz4
-
-    return McapFile(stream, facts)
 
 
 def _why_nothing(request: ExportRequest, reader: ArmFrameReader, history: History) -> ExportProblem:

@@ -12,9 +12,6 @@ from armui.arm.refusal import Refusal
 from armui.protocol.generation import Generation, PiperModel
 from armui.session.frames import Damage
 
-_MESSAGES: Final = "-messages"
-"""The ending of such a folder's name."""
-
 
 class ArmOptions(NamedTuple):
     """The given facts on the arm; `None` for what is to be found out.
@@ -40,18 +37,24 @@ class ExportFormat(enum.StrEnum):
     PARQUET = "parquet"
     CSV_MESSAGES = "csv-messages"
     """A folder with a file for each message."""
+    LEROBOT = "lerobot"
+    """A folder with a dataset of LeRobot."""
 
     @property
     def is_folder(self) -> bool:
         """True if several files are written."""
-        return self is ExportFormat.CSV_MESSAGES
+        return self in _FOLDERS
 
     def named(self, path: Path) -> Path:
         """Return the name of a file or folder with this format's ending."""
-        if self.is_folder:
-            return path.with_name(f"{path.stem}{_MESSAGES}")
-        stem = path.name.removesuffix(_MESSAGES) if path.name.endswith(_MESSAGES) else path.stem
-        return path.with_name(f"{stem}.{self}")
+        endings = _FOLDERS.values()
+        ending = next((each for each in endings if path.name.endswith(each)), "")
+        stem = path.name.removesuffix(ending) if ending else path.stem
+        return path.with_name(f"{stem}{_FOLDERS.get(self, f'.{self}')}")
+
+
+_FOLDERS: Final = {ExportFormat.CSV_MESSAGES: "-messages", ExportFormat.LEROBOT: "-lerobot"}
+"""The formats of several files, with the endings of their folders' names."""
 
 
 class ExportProblem(enum.StrEnum):
@@ -67,6 +70,7 @@ class ExportProblem(enum.StrEnum):
     SAME_FILE = "same_file"
     CANNOT_WRITE = "cannot_write"
     NO_PYARROW = "no_pyarrow"
+    NO_EPISODE = "no_episode"
 
 
 class ExportError(Exception):
@@ -87,6 +91,18 @@ class ExportCancelledError(Exception):
     """The export was cancelled by its caller; nothing was written."""
 
 
+class EpisodeOptions(NamedTuple):
+    """What is chosen of a dataset of LeRobot.
+
+    Attributes:
+        fps: Frames a second.
+        task: The task of episodes that name none.
+    """
+
+    fps: int = 30
+    task: str = "PiPER"
+
+
 @dataclass(frozen=True, slots=True)
 class ExportRequest:
     """The log to export, the target, and the choices of the operator.
@@ -98,7 +114,8 @@ class ExportRequest:
         begin_s: The beginning, in seconds from the log's first frame.
         end_s: The end, likewise.
         wishes: The given facts on the arm.
-        replace: True if an existing file may be replaced.
+        replace: True if an existing file may be replaced; a dataset never is.
+        episodes: What is chosen of a dataset of LeRobot.
     """
 
     log: Path
@@ -108,6 +125,7 @@ class ExportRequest:
     end_s: float = math.inf
     wishes: ArmOptions = field(default_factory=ArmOptions)
     replace: bool = False
+    episodes: EpisodeOptions = field(default_factory=EpisodeOptions)
 
 
 @dataclass(frozen=True, slots=True)

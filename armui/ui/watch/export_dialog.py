@@ -59,6 +59,7 @@ _FORMATS: Final = {
     ExportFormat.CSV: "CSV",
     ExportFormat.PARQUET: "Parquet",
     ExportFormat.CSV_MESSAGES: QT_TRANSLATE_NOOP("ExportForm", "CSV per message"),
+    ExportFormat.LEROBOT: "LeRobot",
 }
 _LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.txt *.gz"
 _GENERATIONS: Final = (None, Generation.ONE, Generation.TWO)
@@ -85,6 +86,12 @@ def about_text(export_format: ExportFormat) -> str:
             "ExportDialog",
             "A folder with a file for each message: every frame with its time, decoded into "
             "signals with their units.",
+        )
+    if export_format is ExportFormat.LEROBOT:
+        return QCoreApplication.translate(
+            "ExportDialog",
+            "A dataset to learn from: the marked episodes at 30 frames a second, without images. "
+            "What is left out is said. For LeRobot 0.6; needs the package pyarrow.",
         )
     return QCoreApplication.translate(
         "ExportDialog",
@@ -128,6 +135,11 @@ def problem_text(done: ExportDone, target: Path) -> str:
             "Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same "
             "table without it.",
         ),
+        ExportProblem.NO_EPISODE: translate(
+            "ExportDialog",
+            "In no second of it were the angles heard and the arm without a fault. No dataset was "
+            "written.",
+        ),
     }
     if done.problem is None:
         text = translate("ExportDialog", "The export failed: {detail}")
@@ -141,6 +153,8 @@ def finished_text(report: dict[str, Any], export_format: ExportFormat, target: P
     text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} rows)")
     if export_format is ExportFormat.MCAP:
         text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} messages)")
+    elif export_format is ExportFormat.LEROBOT:
+        text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} frames)")
     return text.format(target=target, items=report["items"])
 
 

@@ -1,0 +1,1 @@
+"""Episodes of a log as a dataset of LeRobot (v3.0), without cameras."""

@@ -1,0 +1,194 @@
+"""Cuts what a log tells at an even rate into episodes, and has them written as a dataset."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final, NamedTuple
+
+import numpy as np
+
+from armui.arm.refusal import Reason
+from armui.session.exports.lerobot.dataset import Episode, write_dataset
+from armui.session.exports.lerobot.frames import GRIPPER, Cause, InstantSampler
+from armui.session.exports.request import ExportError, ExportProblem
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from pathlib import Path
+
+    from armui.arm.refusal import Refusal
+    from armui.session.exports.history import ExportFacts, History, TimeSpan
+    from armui.session.exports.lerobot.frames import Instants
+    from armui.session.exports.request import EpisodeOptions
+    from armui.session.session import SessionMark
+
+NAMES: Final = (*(f"joint_{joint}.pos" for joint in range(1, 7)), "gripper.pos")
+"""The names of the values: degrees and mm, as of ``lerobot_robot_armui``."""
+SHORTEST_S: Final = 1.0
+"""What is shorter is no episode."""
+BEGUN, ENDED, DISCARDED = "episode_begun", "episode_ended", "episode_discarded"
+"""The ids of the events that mark episodes."""
+
+EPISODES_UNMARKED = Reason(
+    "episodes_unmarked", "No episode is marked in it: all of it is taken as one, “{task}”."
+)
+EPISODE_SILENT = Reason(
+    "episode_silent",
+    "Left out, {begin} s to {end} s: the angles were not heard, or older than 0.1 s. What follows "
+    "is an episode of its own.",
+)
+EPISODE_FAULT = Reason(
+    "episode_fault",
+    "Left out, {begin} s to {end} s: the arm told a stop or a fault. What follows is an episode of "
+    "its own.",
+)
+EPISODE_NO_GRIPPER = Reason(
+    "episode_no_gripper",
+    "Left out, {begin} s to {end} s: the gripper was not heard. What follows is an episode of its "
+    "own.",
+)
+EPISODE_SHORT = Reason(
+    "episode_short", "Left out, {begin} s to {end} s: shorter than an episode of 1 s."
+)
+EPISODES_MORE = Reason("episodes_more", "{count} more stretches were left out.")
+ACTIONS_MEASURED = Reason(
+    "actions_measured",
+    "In {count} of {all} frames no host had told the joints where to go: their action is where the "
+    "arm was.",
+)
+_WHY: Final = {
+    Cause.SILENT: EPISODE_SILENT,
+    Cause.FAULT: EPISODE_FAULT,
+    Cause.NO_GRIPPER: EPISODE_NO_GRIPPER,
+}
+_MOST_TOLD: Final = 20
+
+
+class Stretch(NamedTuple):
+    """A stretch of a log, in log times.
+
+    Attributes:
+        begin_s: Its beginning.
+        end_s: Its end; infinity where nobody has marked one.
+        task: What was done, in words.
+    """
+
+    begin_s: float
+    end_s: float
+    task: str
+
+
+def marked_episodes(marks: Sequence[SessionMark]) -> list[Stretch]:
+    """Return the episodes that the operator has marked, but for those discarded."""
+    found: list[Stretch] = []
+    open_ = False
+    for mark in marks:
+        code = mark.entry.get("code")
+        if code in {BEGUN, ENDED, DISCARDED} and open_:
+            found[-1] = found[-1]._replace(end_s=mark.at_s)
+            open_ = False
+        if code == BEGUN:
+            params = mark.entry.get("params")
+            task = params.get("task", "") if isinstance(params, dict) else ""
+            found.append(Stretch(mark.at_s, np.inf, str(task)))
+            open_ = True
+        elif code == DISCARDED and found:
+            found.pop()
+    return found
+
+
+class LeRobotDataset:
+    """Writes episodes as a dataset; see `Sink`.
+
+    Args:
+        folder: The folder for the files; it exists and is empty.
+        facts: The facts on the recorded arm.
+        options: The rate, and the task of episodes that name none.
+        marked: The episodes that are marked in the log.
+
+    Attributes:
+        items: The number of frames.
+        notes: What was left out, and why.
+
+    Raises:
+        ImportError: pyarrow is not installed.
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        facts: ExportFacts,
+        options: EpisodeOptions,
+        marked: Sequence[Stretch],
+    ) -> None:
+        import pyarrow as pa  # noqa: F401, PLC0415 - optional: said before the log is read
+
+        self._folder, self._start_s = folder, facts.start_s
+        self._fps, self._task = options.fps, options.task
+        self._marked = marked
+        self._sampler = InstantSampler(facts.codec, facts.start_s, options.fps)
+        self.items = 0
+        self.notes: list[Refusal] = []
+
+    def write_span(self, history: History, span: TimeSpan) -> None:
+        """Look at a piece of the log; see `Sink`."""
+        self.items += self._sampler.take(history, span)
+
+    def finish(self) -> None:
+        """Cut the episodes, and write them.
+
+        Raises:
+            ExportError: There is none.
+            OSError: The disk does not take them.
+        """
+        instants = self._sampler.instants()
+        stretches = self._marked
+        if not stretches:
+            self.notes.append(EPISODES_UNMARKED(task=self._task))
+            stretches = [Stretch(-np.inf, np.inf, self._task)]
+        episodes, left = [], []
+        for each in stretches:
+            inside = (instants.times_s >= each.begin_s) & (instants.times_s <= each.end_s)
+            for first, behind in _runs(inside, instants):
+                cause = Cause(instants.causes[first])
+                if cause is Cause.NONE and behind - first < SHORTEST_S * self._fps:
+                    left.append(self._told(EPISODE_SHORT, instants, first, behind))
+                elif cause is Cause.NONE:
+                    episodes.append((each.task or self._task, slice(first, behind)))
+                else:
+                    left.append(self._told(_WHY[cause], instants, first, behind))
+        self.notes += left[:_MOST_TOLD]
+        if len(left) > _MOST_TOLD:
+            self.notes.append(EPISODES_MORE(count=len(left) - _MOST_TOLD))
+        if not episodes:
+            raise ExportError(ExportProblem.NO_EPISODE)
+        self._write(instants, episodes)
+
+    def abandon(self) -> None:
+        """Do nothing: no file is held."""
+
+    def _write(self, instants: Instants, episodes: Sequence[tuple[str, slice]]) -> None:
+        places = np.concatenate([np.arange(part.start, part.stop) for _, part in episodes])
+        unasked = ~np.isfinite(instants.asked[places, 0])
+        if unasked.any():
+            self.notes.append(ACTIONS_MEASURED(count=int(unasked.sum()), all=len(places)))
+        asked = np.where(np.isfinite(instants.asked), instants.asked, instants.measured)
+        gripper = bool(np.isfinite(instants.measured[places, GRIPPER]).all())
+        columns = slice(None) if gripper else slice(GRIPPER)
+        written = [
+            Episode(task, instants.measured[part, columns], asked[part, columns])
+            for task, part in episodes
+        ]
+        write_dataset(self._folder, written, NAMES[columns], self._fps)
+        self.items = len(places)
+
+    def _told(self, reason: Reason, instants: Instants, first: int, behind: int) -> Refusal:
+        begin_s, end_s = instants.times_s[[first, behind - 1]] - self._start_s
+        return reason(begin=round(float(begin_s), 2), end=round(float(end_s), 2))
+
+
+def _runs(inside: np.ndarray, instants: Instants) -> list[tuple[int, int]]:
+    """Return where runs of instants of one cause begin and end, within a stretch."""
+    kinds = np.where(inside, instants.causes.astype(int), -1)
+    ends = [*(np.flatnonzero(np.diff(kinds)) + 1).tolist(), len(kinds)]
+    firsts = [0, *ends[:-1]]
+    return [(a, b) for a, b in zip(firsts, ends, strict=True) if kinds[a] >= 0]
