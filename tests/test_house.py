@@ -138,6 +138,8 @@ OPENED_ELSEWHERE = {
     "armui.session.blf_logs: can.BLFReader": "a stream",
     "armui.session.recording.formats: can.ASCWriter": "a stream in memory",
     "armui.session.exports.parquet_table: pyarrow.parquet.ParquetWriter": "a WholeFile's stream",
+    "armui.session.exports.lerobot.dataset: pyarrow.parquet.ParquetWriter": "an opened file",
+    "armui.session.exports.lerobot.dataset: pyarrow.parquet.write_table": "an opened file",
     "armui.session.exports.ros.mcap_file: mcap.writer.Writer": "a WholeFile's stream",
     "armui.session.foreign.indexed: numpy.memmap": "an opened file",
     "armui.session.foreign.indexing: numpy.fromfile": "an opened file",

@@ -213,8 +213,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--to",
         choices=[str(each) for each in ExportFormat],
         help="format (default: what the target's name says, else mcap); csv-messages makes a "
-        "folder with a file for each message, lerobot one with a dataset of LeRobot; these and "
-        "parquet need pyarrow",
+        "folder with a file for each message, lerobot one with a dataset of LeRobot; parquet and "
+        "lerobot need pyarrow",
     )
     parser.add_argument(
         "-o", "--output", type=Path, help="target (default: the log's name with another ending)"

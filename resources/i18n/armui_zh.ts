@@ -1976,6 +1976,10 @@
         <translation>同时将结果连同日志、设置和版本存入一个 zip 文件，以便发给提供帮助的人；已有文件不会被覆盖</translation>
     </message>
     <message>
+        <source>Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or every frame as a CSV file for each message; its episodes as a dataset of LeRobot.</source>
+        <translation>导出录制的 CAN 日志：含 ROS 2 消息的 MCAP、CSV 或 Parquet 表格、每种消息一个 CSV 文件，或把其中的片段导出为 LeRobot 数据集。</translation>
+    </message>
+    <message>
         <source>of the files (blf)</source>
         <translation>文件格式（blf）</translation>
     </message>
@@ -2282,16 +2286,12 @@
         <translation>报告的语言</translation>
     </message>
     <message>
-        <source>Export a recorded CAN log: MCAP with ROS 2 messages, a table as CSV or Parquet, or every frame as a CSV file for each message.</source>
-        <translation>导出录制的 CAN 日志：含 ROS 2 消息的 MCAP，CSV 或 Parquet 表格，或每种消息一个 CSV 文件的全部帧。</translation>
-    </message>
-    <message>
         <source>Exit code: 0 all exported, 1 exported but for places of the log that cannot be read (named on the error output), 2 nothing written, 130 stopped with Ctrl-C.</source>
         <translation>退出码：0 全部导出；1 已导出，但日志中有些位置无法读取（见错误输出）；2 没有写入；130 被 Ctrl-C 停止。</translation>
     </message>
     <message>
-        <source>format (default: what the target&apos;s name says, else mcap); csv-messages makes a folder with a file for each message; parquet needs pyarrow</source>
-        <translation>格式（默认：按目标文件名，否则为 mcap）；csv-messages 生成文件夹，每种消息一个文件；parquet 需要 pyarrow</translation>
+        <source>format (default: what the target&apos;s name says, else mcap); csv-messages makes a folder with a file for each message, lerobot one with a dataset of LeRobot; parquet and lerobot need pyarrow</source>
+        <translation>格式（默认：由目标名称决定，否则为 mcap）；csv-messages 生成一个文件夹，每种消息一个文件；lerobot 生成 LeRobot 数据集文件夹；parquet 和 lerobot 需要 pyarrow</translation>
     </message>
     <message>
         <source>target (default: the log&apos;s name with another ending)</source>
@@ -2316,6 +2316,14 @@
     <message>
         <source>channel of the log (default: that on which most of an arm is heard)</source>
         <translation>日志的通道（默认：机械臂数据最多的通道）</translation>
+    </message>
+    <message>
+        <source>of a dataset of LeRobot: frames a second, 1 to 200 (30)</source>
+        <translation>LeRobot 数据集：每秒帧数，1 到 200（30）</translation>
+    </message>
+    <message>
+        <source>of a dataset of LeRobot: what was done, where its episodes don&apos;t say it (PiPER)</source>
+        <translation>LeRobot 数据集：片段自身未说明时的任务文字（PiPER）</translation>
     </message>
     <message>
         <source>replace a target that is there</source>
@@ -2566,6 +2574,14 @@
         <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;（CSV 不需要它，表格内容相同）</translation>
     </message>
     <message>
+        <source>nothing to export: no stretch of a second in which the angles were heard and the arm told no fault; no dataset was written</source>
+        <translation>没有可导出的内容：没有任何一秒既收到关节角度、机械臂又无故障；未写入数据集</translation>
+    </message>
+    <message>
+        <source>{target} is there already, and a dataset is never replaced; give another name with -o</source>
+        <translation>{target} 已存在，数据集从不被替换；请用 -o 指定其他名称</translation>
+    </message>
+    <message>
         <source>taken for a {model}: {reason}</source>
         <translation>视为 {model}：{reason}</translation>
     </message>
@@ -2608,6 +2624,14 @@
     <message>
         <source>{text!r} is no number of seconds, 0 or more</source>
         <translation>{text!r} 不是秒数（应为不小于 0 的数）</translation>
+    </message>
+    <message>
+        <source>{text!r} is no rate of 1 to 200 frames a second</source>
+        <translation>{text!r} 不是每秒 1 到 200 帧的速率</translation>
+    </message>
+    <message>
+        <source>{target}: {count:,} frames</source>
+        <translation>{target}：{count:,} 帧</translation>
     </message>
     <message>
         <source>{seconds:.0f} s left</source>
@@ -4388,6 +4412,10 @@
         <translation>文本表格：每收到一组关节角度为一行，其余各列为当时最近收到的值。适用于电子表格和脚本。</translation>
     </message>
     <message>
+        <source>A dataset to learn from: the marked episodes at 30 frames a second, without images. What is left out is said. For LeRobot 0.6; needs the package pyarrow.</source>
+        <translation>供学习的数据集：标记的片段，每秒 30 帧，不含图像。略去的部分会说明。用于 LeRobot 0.6；需要 pyarrow 软件包。</translation>
+    </message>
+    <message>
         <source>The same table with types and units, small and quick to open. For pandas and the like; needs the package pyarrow.</source>
         <translation>同一表格，带类型和单位，文件小、打开快。适用于 pandas 等工具；需要安装 pyarrow 包。</translation>
     </message>
@@ -4432,6 +4460,10 @@
         <translation>Parquet 需要 pyarrow 包：pip install &apos;armui[parquet]&apos;。CSV 无需它，内容是同一表格。</translation>
     </message>
     <message>
+        <source>In no second of it were the angles heard and the arm without a fault. No dataset was written.</source>
+        <translation>其中没有任何一秒既收到关节角度、机械臂又无故障。未写入数据集。</translation>
+    </message>
+    <message>
         <source>The export failed: {detail}</source>
         <translation>导出失败：{detail}</translation>
     </message>
@@ -4442,6 +4474,10 @@
     <message>
         <source>Saved: {target} ({items:,} messages)</source>
         <translation>已保存：{target}（{items:,} 条消息）</translation>
+    </message>
+    <message>
+        <source>Saved: {target} ({items:,} frames)</source>
+        <translation>已保存：{target}（{items:,} 帧）</translation>
     </message>
     <message>
         <source>Only channel {channel} was exported; {count:,} frames of {others} were left out.</source>
@@ -12250,6 +12286,34 @@ The other program must have ended.</source>
     <message>
         <source>Its last line breaks off and is left out, as where a recorder is ended.</source>
         <translation>最后一行不完整，已略去；记录程序被结束时常会如此。</translation>
+    </message>
+    <message>
+        <source>No episode is marked in it: all of it is taken as one, “{task}”.</source>
+        <translation>其中没有标记片段：整个日志作为一个片段“{task}”。</translation>
+    </message>
+    <message>
+        <source>Left out, {begin} s to {end} s: the angles were not heard, or older than 0.1 s. What follows is an episode of its own.</source>
+        <translation>略去 {begin} s 至 {end} s：未收到关节角度，或已超过 0.1 s。其后另成一个片段。</translation>
+    </message>
+    <message>
+        <source>Left out, {begin} s to {end} s: the arm told a stop or a fault. What follows is an episode of its own.</source>
+        <translation>略去 {begin} s 至 {end} s：机械臂报告急停或故障。其后另成一个片段。</translation>
+    </message>
+    <message>
+        <source>Left out, {begin} s to {end} s: the gripper was not heard. What follows is an episode of its own.</source>
+        <translation>略去 {begin} s 至 {end} s：未收到夹爪反馈。其后另成一个片段。</translation>
+    </message>
+    <message>
+        <source>Left out, {begin} s to {end} s: shorter than an episode of 1 s.</source>
+        <translation>略去 {begin} s 至 {end} s：不足一个片段的 1 s。</translation>
+    </message>
+    <message>
+        <source>{count} more stretches were left out.</source>
+        <translation>另有 {count} 段被略去。</translation>
+    </message>
+    <message>
+        <source>In {count} of {all} frames no host had told the joints where to go: their action is where the arm was.</source>
+        <translation>{all} 帧中有 {count} 帧没有主机给出关节目标：其动作取机械臂所在位置。</translation>
     </message>
     <message>
         <source>{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other software, for example asammdf, and open what that has written.</source>

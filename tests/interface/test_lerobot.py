@@ -1,7 +1,7 @@
 """LeRobot's robot and teleoperator before a simulated arm, and the contract that LeRobot publishes.
 
-LeRobot itself is 5 GB: here stand the signatures of 0.6.1, and `python -m tests.tools.lerobot_record` runs
-the real one.
+LeRobot itself is 5 GB: here stand the signatures of 0.6.1, and
+`python -m tests.tools.lerobot_record` runs the real one.
 """
 
 import abc

@@ -19,9 +19,11 @@ def main(folder: Path) -> int:
     from lerobot.datasets import LeRobotDataset  # noqa: PLC0415 - 5 GB, in an environment of its own
 
     info = json.loads((folder / "meta/info.json").read_text())
-    table = pq.read_table(folder / info["data_path"].format(chunk_index=0, file_index=0)).to_pydict()
+    file = folder / info["data_path"].format(chunk_index=0, file_index=0)
+    table = pq.read_table(file).to_pydict()
     read = LeRobotDataset("local/exported", root=folder)
-    print(f"{read.num_episodes} episodes, {read.num_frames} frames at {read.fps} Hz, {read.features}")
+    print(f"{read.num_episodes} episodes, {read.num_frames} frames at {read.fps} Hz")
+    print(read.features)
     assert (read.num_episodes, read.num_frames) == (info["total_episodes"], len(table["index"]))
     differ = 0
     for place in range(read.num_frames):

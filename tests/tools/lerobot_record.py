@@ -1,4 +1,4 @@
-"""Records and replays with the real LeRobot: ``python -m tests.tools.lerobot_record --python PATH``.
+"""Records and replays with the real LeRobot: ``python -m tests.tools.lerobot_record --python P``.
 
 LeRobot and the clients are installed into an environment of theirs before, 5 GB (Python 3.12)::
 

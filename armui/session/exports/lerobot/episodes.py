@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
+    from numpy.typing import NDArray
+
     from armui.arm.refusal import Refusal
     from armui.session.exports.history import ExportFacts, History, TimeSpan
     from armui.session.exports.lerobot.frames import Instants
@@ -141,21 +143,24 @@ class LeRobotDataset:
             OSError: The disk does not take them.
         """
         instants = self._sampler.instants()
+        times_s = self._start_s + instants.numbers / self._fps
         stretches = self._marked
         if not stretches:
             self.notes.append(EPISODES_UNMARKED(task=self._task))
             stretches = [Stretch(-np.inf, np.inf, self._task)]
         episodes, left = [], []
         for each in stretches:
-            inside = (instants.times_s >= each.begin_s) & (instants.times_s <= each.end_s)
+            inside = (times_s >= each.begin_s) & (times_s <= each.end_s)
             for first, behind in _runs(inside, instants):
                 cause = Cause(instants.causes[first])
-                if cause is Cause.NONE and behind - first < SHORTEST_S * self._fps:
-                    left.append(self._told(EPISODE_SHORT, instants, first, behind))
-                elif cause is Cause.NONE:
-                    episodes.append((each.task or self._task, slice(first, behind)))
+                if cause is not Cause.NONE:
+                    left.append(self._told(_WHY[cause], instants, first, behind - 1))
+                elif behind - first < SHORTEST_S * self._fps:
+                    left.append(self._told(EPISODE_SHORT, instants, first, behind - 1))
                 else:
-                    left.append(self._told(_WHY[cause], instants, first, behind))
+                    episodes.append((each.task or self._task, slice(first, behind)))
+                if behind < len(inside) and inside[behind] and _is_gap(instants, behind):
+                    left.append(self._told(EPISODE_SILENT, instants, behind - 1, behind))
         self.notes += left[:_MOST_TOLD]
         if len(left) > _MOST_TOLD:
             self.notes.append(EPISODES_MORE(count=len(left) - _MOST_TOLD))
@@ -181,14 +186,20 @@ class LeRobotDataset:
         write_dataset(self._folder, written, NAMES[columns], self._fps)
         self.items = len(places)
 
-    def _told(self, reason: Reason, instants: Instants, first: int, behind: int) -> Refusal:
-        begin_s, end_s = instants.times_s[[first, behind - 1]] - self._start_s
-        return reason(begin=round(float(begin_s), 2), end=round(float(end_s), 2))
+    def _told(self, reason: Reason, instants: Instants, first: int, last: int) -> Refusal:
+        begin, end = instants.numbers[[first, last]] / self._fps
+        return reason(begin=round(float(begin), 2), end=round(float(end), 2))
 
 
-def _runs(inside: np.ndarray, instants: Instants) -> list[tuple[int, int]]:
-    """Return where runs of instants of one cause begin and end, within a stretch."""
+def _is_gap(instants: Instants, place: int) -> bool:
+    """Return whether nothing was heard just before an instant."""
+    return bool(instants.numbers[place] - instants.numbers[place - 1] > 1)
+
+
+def _runs(inside: NDArray[np.bool_], instants: Instants) -> list[tuple[int, int]]:
+    """Return where runs of instants of one cause, without a gap, begin and end in a stretch."""
     kinds = np.where(inside, instants.causes.astype(int), -1)
-    ends = [*(np.flatnonzero(np.diff(kinds)) + 1).tolist(), len(kinds)]
+    parted = (np.diff(kinds) != 0) | (np.diff(instants.numbers) > 1)
+    ends = [*(np.flatnonzero(parted) + 1).tolist(), len(kinds)]
     firsts = [0, *ends[:-1]]
-    return [(a, b) for a, b in zip(firsts, ends, strict=True) if kinds[a] >= 0]
+    return [(a, b) for a, b in zip(firsts, ends, strict=True) if a < b and kinds[a] >= 0]

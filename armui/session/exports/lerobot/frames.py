@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 MAX_AGE_S: Final = 0.1
 """The highest age of what was measured, at each instant."""
+_EARLY: Final = 1e-4
+"""A share of a period by which an instant may come before what is heard in it."""
 GRIPPER: Final = 6
 """The place of the gripper's opening behind the six angles."""
 
@@ -39,7 +41,7 @@ class Cause(enum.IntEnum):
 
     NONE = 0
     SILENT = 1
-    """No angles were heard, or they were older than :data:`MAX_AGE_S`."""
+    """Not all angles were heard within :data:`MAX_AGE_S`."""
     FAULT = 2
     """The arm told a stop or a fault."""
     NO_GRIPPER = 3
@@ -47,23 +49,23 @@ class Cause(enum.IntEnum):
 
 
 class Instants(NamedTuple):
-    """A log at an even rate.
+    """A log at an even rate; while nothing was heard for longer than `MAX_AGE_S`, there is none.
 
     Attributes:
-        times_s: As recorded, a period apart.
+        numbers: (n,) periods from the first frame of the log on.
         measured: (n, 7) six angles in degrees and the opening in mm; NaN: not heard.
         asked: (n, 7) the same as commanded by any host; NaN: no such command held.
         causes: (n,) :class:`Cause`.
     """
 
-    times_s: Array
+    numbers: NDArray[np.int64]
     measured: Array
     asked: Array
     causes: NDArray[np.int8]
 
 
 class InstantSampler:
-    """Looks at a log at an even rate, piece by piece.
+    """Looks at a log at an even rate, piece by piece; its memory grows with the instants alone.
 
     Args:
         codec: A codec of the arm's generation.
@@ -74,7 +76,6 @@ class InstantSampler:
     def __init__(self, codec: Codec, start_s: float, fps: int) -> None:
         self._start_s = start_s
         self._fps = fps
-        self._next = 0
         self._records = _Wanted(codec)
         self._last: Array | None = None
         self._pieces: list[Instants] = []
@@ -85,32 +86,37 @@ class InstantSampler:
         if rows is None:
             return 0
         told = self._records.told(history, rows)
+        told = told if self._last is None else np.vstack((self._last, told))
         # a clock that was set back tells nothing until it is where it was
-        known = told if self._last is None else np.vstack((self._last, told))
-        forward = known[:, 0] >= np.maximum.accumulate(known[:, 0])
-        known = known[forward]
-        self._last = known[-1:]
-        first = max(self._next, int(np.ceil((known[0, 0] - self._start_s) * self._fps - 1e-6)))
-        behind = int(np.floor((known[-1, 0] - self._start_s) * self._fps + 1e-6)) + 1
-        if behind <= first:
-            return 0
-        self._next = behind
-        times_s = self._start_s + np.arange(first, behind) / self._fps
-        place = np.searchsorted(known[:, 0], times_s + 1e-9, side="right") - 1
-        at = known[np.maximum(place, 0)]
-        causes = at[:, 1].astype(np.int8)
-        causes[times_s - at[:, 0] > MAX_AGE_S] = Cause.SILENT
-        columns = len(_VALUES)
-        self._pieces.append(Instants(times_s, at[:, 2 : 2 + columns], at[:, 2 + columns :], causes))
-        return len(times_s)
+        told = told[told[:, 0] >= np.maximum.accumulate(told[:, 0])]
+        self._last = told[-1:]
+        return self._add(told[:-1], told[1:, 0])
 
     def instants(self) -> Instants:
         """Return all of them; where the gripper is heard at all, it counts."""
+        if self._last is not None:
+            self._add(self._last, np.nextafter(self._last[:, 0], np.inf))
         found = Instants(*(np.concatenate(column) for column in zip(*self._pieces, strict=True)))
         heard = np.isfinite(found.measured[:, GRIPPER])
         if heard.any():
             found.causes[~heard & (found.causes == Cause.NONE)] = Cause.NO_GRIPPER
         return found
+
+    def _add(self, told: Array, until_s: Array) -> int:
+        """Add the instants at which each row is the last one heard, and not too old."""
+        firsts = self._numbers(told[:, 0])
+        counts = self._numbers(np.minimum(until_s, told[:, 0] + MAX_AGE_S)) - firsts
+        which = np.repeat(np.arange(len(told)), counts)
+        numbers = firsts[which] + np.arange(len(which)) - (np.cumsum(counts) - counts)[which]
+        at, behind = told[which], 2 + len(_VALUES)
+        self._pieces.append(
+            Instants(numbers, at[:, 2:behind], at[:, behind:], at[:, 1].astype(np.int8))
+        )
+        return len(which)
+
+    def _numbers(self, times_s: Array) -> NDArray[np.int64]:
+        """Return the number of the first instant at or after each time."""
+        return np.ceil((times_s - self._start_s) * self._fps - _EARLY).astype(np.int64)
 
 
 class _Wanted:
