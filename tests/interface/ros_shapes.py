@@ -191,7 +191,7 @@ class Node:
         self.given: dict[str, Any] = {}
         self.value: Any = None
 
-    def declare_parameter(self, name: str, default: Any) -> Any:
+    def declare_parameter(self, name: str, default: Any, _descriptor: object = None) -> Any:
         found = Node()
         found.value = self.parameters.get(name, default)
         return found
@@ -273,10 +273,12 @@ MODULES: dict[str, dict[str, Any]] = {
         "KeyValue": KeyValue,
     },
     "geometry_msgs.msg": {"TransformStamped": TransformStamped},
+    "rcl_interfaces.msg": {"ParameterDescriptor": Anything},
     "rclpy": {"ok": lambda: True},
     "rclpy.action": {"ActionServer": action_server, "CancelResponse": Anything},
     "rclpy.callback_groups": {"ReentrantCallbackGroup": Anything},
     "rclpy.duration": {"Duration": Moment},
+    "rclpy.exceptions": {"ParameterException": Exception},
     "rclpy.executors": {"ExternalShutdownException": Exception, "MultiThreadedExecutor": Anything},
     "rclpy.qos": {"DurabilityPolicy": Anything, "QoSProfile": Anything},
     "sensor_msgs.msg": {"JointState": JointState},

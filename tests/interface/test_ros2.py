@@ -354,6 +354,7 @@ def test_the_arm_is_halted_and_stopped_without_a_lease(name, with_node, script):
     assert stopped == (name == "stop")
 
 
-def test_a_parameter_out_of_range_is_said(with_node):
-    with pytest.raises(ValueError, match="stream_hz is 200; it must be 50 to 100"):
-        with_node(lambda node: None, stream_hz=200.0)
+@pytest.mark.parametrize("value", [200, "fast", True, math.nan])
+def test_a_parameter_out_of_range_is_said(value, with_node):
+    with pytest.raises(ValueError, match=f"stream_hz is {value!r}; it must be 50 to 100"):
+        with_node(lambda node: None, stream_hz=value)

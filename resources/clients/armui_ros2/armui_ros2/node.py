@@ -10,8 +10,10 @@ from typing import Any, Final
 
 import rclpy
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.duration import Duration
+from rclpy.exceptions import ParameterException
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import JointState
@@ -193,11 +195,13 @@ class ArmNode:
             self._state = None
         self._on_change(problem or "Has found armui")
 
-    def _on_change(self, doing: str) -> None:
+    def _on_change(self, doing: str, *, warns: bool = False) -> None:
         """Say what the node does now: in the log, and in its status."""
         self._doing = doing
-        self.node.get_logger().info(doing)
-        self._tell()
+        if rclpy.ok():  # else ROS has been shut down meanwhile
+            log = self.node.get_logger()
+            log.warning(doing) if warns else log.info(doing)
+            self._tell()
 
     def _tell(self) -> None:
         """Publish the status: what the node does, how the last trajectory ended, what the arm says.
@@ -238,7 +242,7 @@ class ArmNode:
             publisher.publish(message)
         except Exception:
             if rclpy.ok():
-                raise  # else ROS has been shut down meanwhile
+                raise
 
     # Trajectories -------------------------------------------------------------------------------
 
@@ -267,12 +271,9 @@ class ArmNode:
         self._last, self._ended = ended, self._ended + 1
         if ended.code is Code.SUCCESSFUL:
             self._on_change(f"A trajectory has ended: {ended.text}")
-            return
-        what = "was ended" if job.desired_deg else "is refused"
-        reason = f" ({ended.reason})" if ended.reason else ""
-        self.node.get_logger().warning(f"A trajectory {what}{reason}: {ended.text}")
-        self._doing = f"A trajectory {what}: {ended.text}"
-        self._tell()
+        else:
+            what = "was ended" if job.desired_deg else "is refused"
+            self._on_change(f"A trajectory {what}: {ended.text}", warns=True)
 
     def _execute(self, handle: Any) -> Any:
         """Follow the trajectory of an action's goal, in a thread of the executor, to its end."""
@@ -355,9 +356,11 @@ def _parameter(node: Any, name: str, default: Any) -> Any:
 
 
 def _figure(node: Any, name: str, default: float, least: float, most: float) -> float:
-    value = _parameter(node, name, default)
-    if not (math.isfinite(value) and least <= value <= most):
-        raise ValueError(f"The parameter {name} is {value:g}; it must be {least:g} to {most:g}.")
+    # 100 is as good as 100.0
+    value = node.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True)).value
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    if not (number and math.isfinite(value) and least <= value <= most):
+        raise ValueError(f"The parameter {name} is {value!r}; it must be {least:g} to {most:g}.")
     return float(value)
 
 
@@ -367,7 +370,7 @@ def main(args: Sequence[str] | None = None) -> int:
     node = rclpy.create_node("armui")
     try:
         arm = ArmNode(node)
-    except ValueError as error:
+    except (ValueError, ParameterException) as error:
         sys.stderr.write(f"armui-ros2: {error}\n")
         return 2
     executor = MultiThreadedExecutor(THREADS)
