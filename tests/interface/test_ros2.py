@@ -354,6 +354,24 @@ def test_a_goal_that_is_ended_says_why(end, state, words, with_node, script):
     assert script.rig.firmware.joints_deg[0] < 60.0
 
 
+def test_what_is_given_back_while_it_is_asked_for_is_not_held(with_node, script):
+    def ask(node):
+        script.percent = None
+        asked = threading.Thread(target=follow, args=(node, (2.0, HOME)))
+        asked.start()
+        until(lambda: script.desk.view.asked is not None)
+        answer = node.given["~/lease"](ros.Request(data=False), ros.Response())
+        script.percent = 100
+        asked.join()
+        until(
+            lambda: "given back while" in node.publishers["~/status"].messages[-1].status[0].message
+        )
+        return answer
+
+    assert with_node(ask).success
+    assert script.desk.view.lease is None
+
+
 @pytest.mark.parametrize("name", ["halt", "stop"])
 def test_the_arm_is_halted_and_stopped_without_a_lease(name, with_node, script):
     answer = with_node(lambda node: node.given[f"~/{name}"](None, ros.Response()))

@@ -2,8 +2,8 @@
 
 ROS is an environment with ROS 2 and the node, as the node's README tells. Before a simulated arm
 a stranger's node, written from ROS's documentation alone, reads and sends; another client of armui
-is the operator. Takes three minutes; prints what was measured; the exit code is 1 if something
-failed.
+is the operator. Takes three minutes, on a computer that does little else; prints what was measured;
+the exit code is 1 if something failed.
 """
 
 from __future__ import annotations
@@ -91,6 +91,7 @@ class Bench:
             )
             log = stack.enter_context(self.log.open("wb"))
             self.operator = stack.enter_context(self._connected())
+            self.operator.is_enabled(WITHIN_S)  # the arm tells
             self.node = stack.enter_context(
                 process(node, env=self.environment, stdout=log, stderr=log)
             )
@@ -180,7 +181,7 @@ def process(words: Sequence[str], **more: Any) -> Iterator[subprocess.Popen[byte
 
 def reads(bench: Bench) -> None:
     found = bench.ask("read", "5")
-    expect("rate of /joint_states, Hz (50)", found["rate_hz"], holds=found["rate_hz"] > 45.0)
+    expect("rate of /joint_states, Hz (50)", found["rate_hz"], holds=found["rate_hz"] > 40.0)
     expect("age when received, ms", found["age_ms"], holds=found["age_ms"]["p50"] < 50.0)
     measured = bench.operator.state().joints_deg.get()
     told = [math.degrees(found["positions"][name]) for name in NAMES]
@@ -198,7 +199,7 @@ def refused_without_lease(python: str, folder: Path) -> None:
         reason, text = found["last_trajectory_reason"], found["last_trajectory"]
         expect("without a grant", text, holds=reason == "lease_not_granted")
         rate = found["rate_hz"]
-        expect("joint states meanwhile, Hz", rate, holds=rate > 45.0)
+        expect("joint states meanwhile, Hz", rate, holds=rate > 40.0)
     with bench.running(grants=False, trajectories_ask_for_lease=False):
         found = bench.send(trajectory((2.0, HOME)))
         reason, text = found["last_trajectory_reason"], found["last_trajectory"]
@@ -238,7 +239,10 @@ def follows(bench: Bench) -> None:
     back = (-10.0, 45.0, -40.0, -20.0, 30.0, -20.0)
     told = trajectory((0.0, HOME), (1.5, there), (3.5, back), (5.0, HOME), smooth=True)
     found = bench.send(told)
-    expect("followed", found["last_trajectory"], holds=found["last_trajectory_code"] == "0")
+    done = found["last_trajectory_code"] == "0"
+    expect("followed", found["last_trajectory"], holds=done)
+    if not done:
+        return
     print("       node:", bench.logged("first target")[-1])
     for name in ("rate_hz", "age_ms", "moved_after_ms", "error_deg", "late_ms", "error_late_deg"):
         print(f"       {name}: {found[name]}")

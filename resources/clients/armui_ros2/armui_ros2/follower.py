@@ -117,6 +117,7 @@ class Follower:
         self._on_change = on_change
         self._lease: armui_client.Lease | None = None
         self._asking = threading.Lock()
+        self._given_back = False
         self._news = threading.Condition()
         self._newest: Job | None = None
         self._target_deg: tuple[float, ...] | None = None
@@ -149,8 +150,11 @@ class Follower:
         """True while the operator is asked for it."""
         return self._asking.locked()
 
-    def take(self) -> int:
+    def take(self, *, asks: bool = True) -> int:
         """Ask the operator for the arm, unless it is held; return the speed he grants, in percent.
+
+        Args:
+            asks: False to ask nobody.
 
         Raises:
             ArmuiError: It was not granted.
@@ -159,11 +163,16 @@ class Follower:
             arm, lease = self._link.arm(), self._lease
             if lease is not None and lease.held:
                 return lease.max_speed_percent
+            if not asks:
+                raise _not_asked()
+            self._given_back = False
             self._on_change("Asks the operator for the arm")
             wanted = self._wishes.max_speed_percent
             lease = arm.lease("trajectories of ROS", max_speed_percent=wanted)
             try:
                 lease.take()
+                if self._given_back:
+                    raise armui_client.Refused("The arm was given back while it was asked for.")
                 # as fast as was granted: the check of a trajectory counts on it
                 arm.set_speed(lease.max_speed_percent)
             except armui_client.ArmuiError as error:
@@ -178,6 +187,7 @@ class Follower:
 
     def release(self) -> None:
         """Give the arm back; what is followed ends."""
+        self._given_back = True
         self._cancel("The lease was given back.")
         lease = self._lease
         if lease is not None:
@@ -196,9 +206,8 @@ class Follower:
         except (Unfit, armui_client.ArmuiError) as error:
             job.end(_refused(error))
             return
-        if not self.held and not self._wishes.asks and not self.asking:
-            text = "The arm was not asked for: call the service lease first."
-            job.end(Ended(Code.INVALID_GOAL, text, "lease_not_held"))
+        if not self._wishes.asks and not self.held:
+            job.end(_refused(_not_asked()))
             return
         if not self._thread.is_alive():
             text = "The node has failed, and follows nothing: see its log."
@@ -266,7 +275,7 @@ class Follower:
     def _follow(self, job: Job, stream: armui_client.Stream) -> None:
         """Follow a trajectory to its end."""
         try:
-            percent = self.take()
+            percent = self.take(asks=self._wishes.asks)
             path = self._path(job, percent)
             self._enter(job, path)
             self._along(job, path, stream)
@@ -317,6 +326,11 @@ class Follower:
                 elif now_s > path.duration_s + max(SETTLES_S, tolerances.goal_time_s):
                     text = f"The arm has not come to the goal: {off}."
                     job.end(Ended(Code.GOAL_TOLERANCE_VIOLATED, text))
+
+
+def _not_asked() -> armui_client.Refused:
+    text = "The arm was not asked for: call the service lease first."
+    return armui_client.Refused(text, reason="lease_not_held")
 
 
 def _refused(error: Unfit | armui_client.ArmuiError) -> Ended:
