@@ -291,8 +291,6 @@ class Interface(QObject):
 
     def take_back(self) -> None:
         """End the lease: the arm is the operator's again, and its motion ends."""
-        if self._lessor.held is not None:
-            self._lessor.take_back(self._lessor.held.ask.client)
         self._end_lease(LEASE_TAKEN_BACK())
 
     def consent(self, *, given: bool) -> None:
@@ -420,6 +418,9 @@ class Interface(QObject):
         lease = self._lessor.end()
         if lease is None:
             return
+        if reason.reason != LEASE_RELEASED:
+            # who stepped in, or what went wrong, is not passed over by a grant of before
+            self._lessor.take_back(lease.ask.client)
         self._end_stream()
         self._doing = None
         # a stop has gone out and says more; of another's motion, the operator's too, nothing ends

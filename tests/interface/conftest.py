@@ -2,6 +2,7 @@
 
 import json
 import socket
+import sys
 import time
 
 import pytest
@@ -13,6 +14,9 @@ from armui.trajectory.library.store import Library
 from armui.ui.background import Background
 from tests.app_driver import AtOnce
 from tests.interface.script import Script
+
+collect_ignore_glob = [] if sys.platform == "linux" else ["test_*.py"]
+"""The interface is offered on Linux only."""
 
 STEP_S = 0.02
 WITHIN_S = 10.0

@@ -298,3 +298,16 @@ def test_events_name_client_and_operation(leased, desk):
     assert "a script" in told["lease_asked"]["client"]
     assert "a script" in told["client_asks"]["client"]
     assert told["lease_granted"]["percent"] == 100
+
+
+@pytest.mark.parametrize("act", ["halt_and_hold", "emergency_stop", "end_all_motion"])
+def test_what_was_granted_for_the_session_ends_when_the_operator_steps_in(client, desk, act):
+    asked = client.begin("lease.request", purpose="a", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    desk.grant(50, for_session=True)
+    client.answer(asked)
+    getattr(desk.rig.controller, act)()
+    client.wait(lambda: desk.view.lease is None)
+    client.begin("lease.request", purpose="a", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    assert desk.view.lease is None
