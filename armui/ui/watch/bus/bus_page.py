@@ -30,6 +30,7 @@ from armui.ui.watch.bus.trace_model import TraceModel
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves, tell_quantities
+from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
@@ -375,7 +376,8 @@ class BusPage(Page):
 
     def _lay_out(self) -> None:
         self.body.setSpacing(4)
-        head = in_row((self.filter_bar, 1), self.summary, self.send_box.unlock, spacing=12)
+        head = in_flow(self.filter_bar, self.summary, spacing_px=12)
+        head.push(self.send_box.unlock)
         fill(self.body, head, self.summary.message, (self._views, 1), self.send_box)
 
     def _connect(self) -> None:
