@@ -241,7 +241,8 @@ class RunBar(Translated, QWidget):
         )
         # in one line whatever is told: 发送, and the jog buttons above, stay in their places
         told = in_row((self._effective, 1), self._state, self._call_off, spacing=8, margins=0)
-        fill(told, *self._beside, self._resume, self._send)
+        # what comes and goes stands first: a second press on its neighbour stays on that
+        fill(told, self._resume, *self._beside, self._send)
         in_column(options, told, on=self, spacing=8, margins=0)
 
     def command_targets(self, place: str) -> Mapping[str, Target]:
