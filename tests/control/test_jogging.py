@@ -368,6 +368,18 @@ def test_an_arm_in_motion_is_not_jogged(rig):
     assert rig.heard() == []
 
 
+def test_of_an_arm_that_has_just_been_sent_off_it_begins_where_that_is(rig):
+    rig.controller.motion.set_speed_percent(30)
+    bend(rig)
+    away_deg = (BENT_DEG[0] + 60.0, *BENT_DEG[1:])
+    accepted(rig.controller.motion.send_joints(away_deg))
+    accepted(rig.controller.jogging.start(JointJog(6, 1)))
+    hold(rig, 0.5)
+    assert rig.controller.jogging.active
+    assert angles(rig)[5] > BENT_DEG[5] + 2.0
+    assert angles(rig)[0] == pytest.approx(BENT_DEG[0], abs=3.0), "it goes on where it was sent"
+
+
 def test_without_an_arm_it_is_refused(rig):
     assert rig.controller.jogging.start(JointJog(1, 1)).reason == NOT_CONNECTED
     rig.connect()

@@ -364,10 +364,16 @@ class Jogging(ControllerPart):
     ) -> tuple[float, ...]:
         """Return the angles at which a jog begins.
 
+        That is our own target only where the arm stands at it, but for its sag: one that has been
+        sent off and has not begun to move stands elsewhere.
+
         A joint that stands outside its limits alone, and is jogged back, begins at the limit: the
         arm takes no target outside.
         """
-        base_deg = settled(self._context.authority.joint_base_deg() or measured_deg, limits)
+        base_deg = self._context.authority.joint_base_deg() or measured_deg
+        if any(abs(a - b) > _LED_BACK_DEG for a, b in zip(base_deg, measured_deg, strict=True)):
+            base_deg = measured_deg
+        base_deg = settled(base_deg, limits)
         outside = outside_limits(base_deg, limits)
         if not isinstance(jog, JointJog) or outside != (jog.joint,):
             return base_deg
