@@ -132,7 +132,7 @@ class Server:
         self._sessions: dict[int, ClientSession] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._numbers = 0
-        self._target: Target | None = None
+        self._targets: dict[int, Target] = {}
         self._target_lock = threading.Lock()
         self._last: asyncio.Event | None = None
         self._ending = False
@@ -173,10 +173,9 @@ class Server:
             self._soon(lambda: self._answer(target.session, target.id, True, value))
 
     def take_target(self) -> Target | None:
-        """Return the newest target, once."""
+        """Return the newest target of a client, once; each has one place, its own."""
         with self._target_lock:
-            target, self._target = self._target, None
-        return target
+            return self._targets.popitem()[1] if self._targets else None
 
     def tell(self, method: str, params: Json, to: ClientSession | None = None) -> None:
         """Send a notification to one session, or to all that want the events."""
@@ -338,7 +337,8 @@ class Server:
         lease = call.params.get("lease")
         target = Target(session, lease, joints_deg, pose, call.id, call.answered)
         with self._target_lock:
-            before, self._target = self._target, target
+            before = self._targets.get(session.client.number)
+            self._targets[session.client.number] = target
         if before is not None:
             self.answer_target(before, {"superseded": True})
         else:

@@ -149,6 +149,18 @@ def test_a_replaced_target_is_said_to_be(streaming, desk):
     assert {"superseded": True} in results
 
 
+def test_another_clients_targets_replace_none(streaming, connect):
+    other = connect("another")
+    mine = streaming.begin("stream.target", lease=streaming.lease, joints_deg=MID)
+    others = [other.begin("stream.target", lease=1, joints_deg=MID) for _ in range(3)]
+    for each in (streaming, other):  # the server has read them, and the window has taken none
+        ping = each.begin("ping")
+        while ping not in each.answers:
+            assert each.read()
+    assert streaming.answer(mine)["result"] == {}
+    assert other.answer(others[-1])["error"]["data"]["reason"] == "lease_not_held"
+
+
 def test_stream_end(streaming, desk):
     stream(streaming, desk, [[20.0, *MID[1:]]] * 10)
     assert desk.rig.controller.operating_state.jogging
