@@ -22,6 +22,7 @@ from armui.control.operations.started import Started
 from armui.control.run.progress import Run
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import Action
+from armui.interface.messages import Code
 from armui.kinematics.axes import JogFrame
 from armui.kinematics.poses import flange_pose
 from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
@@ -41,6 +42,8 @@ from tests.sim.talk import DISABLE, ENABLE, pose_target
 _PULLED_DEG: Final = 20.0
 _PATIENCE: Final = 25
 _USER: Final = "turned"
+_VOIDS: Final = frozenset({"motors.disable", "motors.resume", "joints.set_zero"})
+"""Operations after which nothing that was asked for before counts."""
 _OFF_LOAD: Final = (EndLoad.EMPTY, EndLoad.HALF, EndLoad.FULL)
 
 
@@ -134,9 +137,11 @@ class Actors:
         self._oracle.release()
 
     def speed(self, percent: int) -> None:
+        self._oracle.lease.sped_s = self._world.time_s
         self._controller.motion.set_speed_percent(percent)
 
     def override(self, percent: int) -> None:
+        self._oracle.lease.sped_s = self._world.time_s
         self._controller.motion.set_speed_percent(percent)
 
     def dip_override(self, percent: int) -> None:
@@ -145,6 +150,7 @@ class Actors:
         self.override(percent)
 
     def step_speed(self, by_percent: int) -> None:
+        self._oracle.lease.sped_s = self._world.time_s
         self._controller.speed_override.step(by_percent)
 
     def plan(self, command: int) -> None:
@@ -357,6 +363,155 @@ class Actors:
     def halt_and_hold(self) -> None:
         if self._controller.halt_and_hold() is None:
             self._oracle.cancel("halt and hold")
+
+    # A client of the local interface -------------------------------------------------------------
+
+    def client_connects(self) -> None:
+        self._world.client.connect()
+
+    def client_asks(self, moves: bool, percent: int) -> None:
+        params = {"purpose": "fuzz", "moves": moves, "max_speed_percent": percent}
+        self._world.client.call("lease.request", self._on_lease, **params)
+
+    def _on_lease(self, said: dict[str, Any], granted: bool) -> None:
+        if granted:
+            self._world.client.lease = said["lease"]
+
+    def operator_grants(self, percent: int, for_session: bool) -> None:
+        self._world.interface.grant(percent, for_session=for_session)
+
+    def operator_declines(self) -> None:
+        self._world.interface.decline()
+
+    def operator_takes_back(self) -> None:
+        if self._world.interface.view.lease is not None:
+            self._oracle.lease_over("the operator took it back")
+        self._world.interface.take_back()
+
+    def operator_consents(self, given: bool) -> None:
+        self._world.interface.consent(given=given)
+
+    def interface_on(self, on: bool) -> None:
+        if not on:
+            self._oracle.lease_over("the interface was switched off")
+        self._world.interface.switch(on=on)
+
+    def client_gets_the_arm(self, percent: int) -> None:
+        """What a script does, and an operator who wants it to have the arm."""
+        self.interface_on(True)
+        self.get_ready()
+        self.client_connects()
+        self.client_asks(True, percent)
+        self._world.pass_time(STEP_S)
+        self.operator_grants(percent, False)
+        self._world.pass_time(STEP_S)
+
+    def client_comes_streaming(self, percent: int, *stream: Any) -> None:
+        self.client_gets_the_arm(percent)
+        self.client_streams(*stream)
+
+    def client_comes_sending(self, percent: int, joints_deg: tuple[float, ...]) -> None:
+        self.client_gets_the_arm(percent)
+        self.client_sends(joints_deg)
+
+    def _client_moves(self, method: str, kind: Kind, params: dict[str, Any], **asked: Any) -> None:
+        """The client has asked for a motion: from the answer on the arm may move by it."""
+        client, world = self._world.client, self._world
+        lease, bases = client.lease, self._oracle.bases()
+
+        def then(_said: dict[str, Any], begun: bool) -> None:
+            if begun:
+                more = {**asked, "bases": bases, "lease": lease}
+                self._oracle.ask(Asked(kind, world.time_s, **more))
+
+        client.call(method, then, lease=lease, **params)
+
+    def client_sends(self, joints_deg: tuple[float, ...]) -> None:
+        params = {"angles_deg": list(joints_deg)}
+        self._client_moves("motion.send", Kind.JOINTS, params, goal_deg=joints_deg)
+
+    def client_steps(self, joint: int, delta_deg: float) -> None:
+        params = {"joint": joint, "delta_deg": delta_deg}
+        self._client_moves("motion.step", Kind.STEP, params, joint=joint, delta=delta_deg)
+
+    def client_moves_tool(self, joints_deg: tuple[float, ...], move: str) -> None:
+        pose = self._kinematics.forward(joints_deg)
+        params = {"target": list(pose), "move_mode": move}
+        flange = flange_pose(pose, self._controller.cartesian.tool)
+        self._client_moves("tool.move", Kind.POSE, params, pose=flange)
+
+    def client_speed(self, percent: int) -> None:
+        self._world.client.call("motion.set_speed", lease=self._world.client.lease, percent=percent)
+
+    def client_streams(
+        self, joints_deg: tuple[float, ...], swing_deg: float, rate_hz: float
+    ) -> None:
+        """Targets that swing about a pose, or a pose far off at once."""
+
+        def path(t_s: float) -> tuple[float, ...]:
+            return tuple(each + swing_deg * math.sin(3.0 * t_s) for each in joints_deg)
+
+        self._world.client.stream(path, rate_hz, self._on_target)
+
+    def _on_target(self, _said: dict[str, Any], _followed: bool) -> None:
+        if self._controller.jogging.streamed is not None:
+            self._oracle.stream(self._world.client.lease)
+
+    def client_rests(self) -> None:
+        """It sends no more targets, and says nothing of it."""
+        self._world.client.follow = None
+
+    def client_ends_stream(self) -> None:
+        def then(_said: dict[str, Any], ended: bool) -> None:
+            if ended:
+                self._oracle.stream_ended()
+
+        client = self._world.client
+        client.follow = None
+        client.call("stream.end", then, lease=client.lease)
+
+    def client_wants(self, method: str, params: dict[str, Any]) -> None:
+        """What the operator is asked about each time, or what moves nothing."""
+        client = self._world.client
+
+        def then(said: dict[str, Any], begun: bool) -> None:
+            if not begun and said["code"] != Code.INTERNAL:
+                return
+            if method == "motors.resume":
+                self._oracle.stop_lifted()
+            if method in _VOIDS:
+                self._oracle.cancel(method)
+
+        client.call(method, then, lease=client.lease, **params)
+
+    def client_releases(self) -> None:
+        client = self._world.client
+        client.call("lease.release", lease=client.lease)
+
+    def client_stops(self) -> None:
+        def then(said: dict[str, Any], done: bool) -> None:
+            if done or said["code"] == Code.INTERNAL:
+                if self._controller.operating_state.link is not LinkState.NO_DEVICE:
+                    self._oracle.stop_pressed()
+                self._oracle.cancel("a client's stop")
+
+        self._world.client.call("stop", then)
+
+    def client_halts(self) -> None:
+        self._world.client.call(
+            "halt", lambda _, done: self._oracle.cancel("a client's halt") if done else None
+        )
+
+    def client_says(self, lines: tuple[str, ...]) -> None:
+        """Anything at all."""
+        for line in lines:
+            self._world.client.say(line.encode(errors="surrogateescape") + b"\n")
+
+    def client_is_silent(self) -> None:
+        self._world.client.silent = True
+
+    def client_dies(self) -> None:
+        self._world.client.hang_up()
 
     # A second host -----------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-"""What the operator of the fuzz has asked for, and what must not be."""
+"""What operator and client of the fuzz have asked for, and what must not be."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from armui.sim.mechanics.powered_joints import SixValues
 
 
 class Kind(enum.Enum):
-    """What the operator asked for."""
+    """What was asked for."""
 
     NOTHING = "nothing"
     STEP = "a joint step"
@@ -20,11 +20,12 @@ class Kind(enum.Enum):
     RUN = "a run"
     CONTINUE = "继续"
     TEACHING = "drag teaching"
+    STREAM = "a client's stream"
 
 
 @dataclass(slots=True)
 class Asked:
-    """The last thing the operator asked for that may move the arm.
+    """The last thing that was asked for and may move the arm.
 
     Attributes:
         kind: What it was.
@@ -35,6 +36,8 @@ class Asked:
         along: Of a step of the tool, where it is known: which way in the base, of length 1.
         cancelled: What has ended it.
         over_jog: Whether a jog was still held when it was asked for.
+        lease: By which a client asked for it; ``None``: the operator did.
+        ended_s: When a stream was ended by its client.
     """
 
     kind: Kind
@@ -47,6 +50,8 @@ class Asked:
     along: tuple[float, ...] | None = None
     cancelled: str | None = None
     over_jog: bool = False
+    lease: int | None = None
+    ended_s: float = -1e9
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,7 @@ from armui.system.failures import Failure
 from tests.safety.arm_oracle import depth_in_box_mm
 from tests.safety.fuzz.asked import Asked, Kind, Violation
 from tests.safety.fuzz.breakage import InjectedError
+from tests.safety.fuzz.lease_oracle import LeaseOracle
 from tests.safety.fuzz.traffic import Said, Sender, Started, base_id, is_motion
 from tests.safety.fuzz.world import World
 
@@ -47,6 +48,10 @@ _SAME_DEG: Final = 0.011
 _NEAR_DEG: Final = 0.75
 """What may lie between a target and the place it starts from: 0.5° and the sag of a joint."""
 _JOG_AHEAD_DEG: Final = 20.0
+_STREAM_AHEAD_DEG: Final = 12.0
+"""Its lead is 9° at most (S30); and what a joint sags."""
+_SETPOINTS_DEG: Final = 2.4
+"""Two steps of the fastest stream."""
 _TOOL_MM: Final = 15.0
 _ASIDE_MM: Final = 1.0
 _POSE_MM: Final = 1.0
@@ -66,7 +71,7 @@ _FIRST_PRESSES: Final = 3
 _PRESSES: Final = frozenset(
     {"step", "tool_step", "send_joints", "go_home", "move_tool", "hold_joint", "hold_tool"}
 )
-_LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING})
+_LASTING: Final = frozenset({Kind.JOG, Kind.RUN, Kind.TEACHING, Kind.STREAM})
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +89,7 @@ class Oracle:
     Attributes:
         violation: The first thing that was not as it must be.
         zone: The middle and the edges of the box that is in force.
+        lease: What must hold of a client with the arm.
     """
 
     def __init__(self, world: World, ignored: Collection[str] = ()) -> None:
@@ -110,6 +116,8 @@ class Oracle:
         self._led_s = -1e9
         self._presses = 0
         self._held: Violation | None = None
+        self.lease = LeaseOracle(world)
+        world.client.over = self.lease_over
         world.traffic.asked = lambda: replace(self._asked)
         world.failed = self.failed
 
@@ -121,16 +129,43 @@ class Oracle:
         if self._ours_deg is not None:
             bases.append(self._ours_deg)
         asked = self._asked
+        bases += self._setpoint_under_way() if asked.kind is Kind.STREAM else []
         fresh = asked.cancelled is None and self._world.time_s - asked.at_s < _TAKEN_S
         if fresh and asked.goal_deg is not None:
             bases.append(asked.goal_deg)
         return bases
+
+    def _setpoint_under_way(self) -> list[SixValues]:
+        """The newest setpoint: it is on the bus, and the arm hears it with its next step."""
+        command = self._world.controller._authority.command
+        if self._ours_deg is None or command is None or command.joints_deg is None:
+            return []
+        near = _apart(command.joints_deg, self._ours_deg) <= _SETPOINTS_DEG
+        return [command.joints_deg] if near else []
 
     def ask(self, asked: Asked) -> None:
         """The operator has asked for something that may move the arm."""
         before = self._asked
         asked.over_jog = before.kind is Kind.JOG and before.cancelled is None
         self._asked = asked
+        if asked.lease is None:
+            self.lease.began(asked.kind.value)
+
+    def stream(self, lease: int | None) -> None:
+        """A client's target is followed."""
+        asked = self._asked
+        if asked.kind is not Kind.STREAM or asked.lease != lease or asked.cancelled is not None:
+            self.ask(Asked(Kind.STREAM, self._world.time_s, lease=lease))
+
+    def stream_ended(self) -> None:
+        """A client has ended its stream."""
+        if self._asked.kind is Kind.STREAM and self._asked.cancelled is None:
+            self._asked.cancelled, self._asked.ended_s = "the stream's end", self._world.time_s
+
+    def lease_over(self, why: str) -> None:
+        """A lease has ended: what was asked for by it is void."""
+        if self._asked.lease is not None and self._asked.cancelled is None:
+            self._asked.cancelled = why
 
     def release(self) -> None:
         """A held jog has ended."""
@@ -141,6 +176,7 @@ class Oracle:
         """What was asked for before is void."""
         self._asked.cancelled = why
         self._ours_deg = None
+        self.lease.cut_s = self._world.time_s
 
     def stop_pressed(self) -> None:
         """The stop was pressed while a device was open."""
@@ -224,11 +260,21 @@ class Oracle:
         found += self._first_arm()
         found += self._exceptions()
         found += self._in_zone()
+        found += self.lease.look(self._asked, fails=self._fails(), apart=self._is_apart())
         found += [] if self._held is None else [self._held]
         self._held = None
         found = [each for each in found if not any(word in each.key for word in self._ignored)]
         if self.violation is None and found:
             self.violation = found[0]
+
+    def _fails(self) -> bool:
+        """Whether the program got no turn just now, or failed at it."""
+        return self._world.time_s - max(self._failed_anew_s, self._suspended_s) <= _LOOK_S
+
+    def _is_apart(self) -> bool:
+        """Whether somebody else has had a part in how the arm moves now."""
+        since_s = self._world.time_s - max(self._other_s, self._led_s)
+        return self._fails() or self._mixed or since_s < _OTHERS_WAY_S
 
     def _follow(self) -> None:
         """Note what later judgements depend on."""
@@ -245,8 +291,9 @@ class Oracle:
         if said.sender is Sender.OTHER:
             self._on_other(said)
             return []
-        if not is_motion(said.frame):
-            return []
+        found = [] if self._is_apart() else list(self.lease.on_said(said.frame, now_s))
+        if found or not is_motion(said.frame):
+            return found
         since_s = now_s - self._other_s
         anew = " and a new connection" if self._unconnected_s > self._other_s else ""
         if self._taken_over or not _LOOK_S < since_s < _TO_ITSELF_S:
@@ -303,6 +350,8 @@ class Oracle:
             return None  # the failure lies in the very call that goes on to send it
         if asked.kind is Kind.NOTHING:
             return "moves although nothing was asked for"
+        if asked.cancelled == "the stream's end" and at_s - asked.ended_s < _LOOK_S:
+            return None  # what was on its way
         if asked.cancelled == "release" and at_s - asked.at_s < _LOOK_S:
             return None
         if asked.cancelled not in (None, "release"):
@@ -315,6 +364,9 @@ class Oracle:
         if asked.kind is Kind.JOG:
             away = _apart(started.goal_deg, started.here_deg)
             return "a jog's target lies far off" if away > _JOG_AHEAD_DEG else None
+        if asked.kind is Kind.STREAM:
+            away = _apart(started.goal_deg, started.here_deg)
+            return "a stream's setpoint lies far off" if away > _STREAM_AHEAD_DEG else None
         if asked.kind is Kind.JOINTS and asked.goal_deg is not None:
             off = _apart(asked.goal_deg, started.goal_deg)
             return None if off <= _SAME_DEG else "goes elsewhere than asked"

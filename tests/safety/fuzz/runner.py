@@ -18,7 +18,19 @@ from tests.safety.fuzz.script import Action
 from tests.safety.fuzz.world import STEP_S, World
 
 _CHANNELS: Final = itertools.count()
-_NOT_PRESSED: Final = frozenset({"fail", "wait", "hush", "strange_frame", "get_ready", "exchange"})
+_NOT_PRESSED: Final = frozenset(
+    {
+        "fail",
+        "wait",
+        "hush",
+        "strange_frame",
+        "get_ready",
+        "exchange",
+        "client_gets_the_arm",
+        "client_comes_streaming",
+        "client_comes_sending",
+    }
+)
 """Actions in which time passes: each step of it looks for itself what fails."""
 _LEAST_WAIT_S: Final = STEP_S
 

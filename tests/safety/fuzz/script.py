@@ -177,6 +177,58 @@ def _zone(chance: random.Random) -> tuple[Any, ...]:
     return tuple(round(each, 1) for each in middle), tuple(edges)
 
 
+_WORDS: Final = (
+    "",
+    "{",
+    "[]",
+    "null",
+    '{"jsonrpc":"2.0","id":1}',
+    '{"jsonrpc":"2.0","id":1,"method":"motion.send","params":[1]}',
+    '{"jsonrpc":"2.0","id":null,"method":"stream.target","params":{"lease":1,"joints_deg":[1e999]}}',
+    '{"jsonrpc":"2.0","method":"stream.target","params":{"lease":null,"joints_deg":[0,0,0,0,0,0]}}',
+    '{"jsonrpc":"2.0","id":"a","method":"hello","params":{"client":"x","protocol":99}}',
+    '{"jsonrpc":"2.0","id":2,"method":"state.subscribe","params":{"rate_hz":50}}',
+    '{"jsonrpc":"2.0","id":2,"method":"events.subscribe"}',
+    '{"jsonrpc":"2.0","id":2,"method":"operations.list"}',
+    '{"jsonrpc":"2.0","id":2,"method":"state.get","params":{"fields":["nothing"]}}',
+    '{"jsonrpc":"2.0","id":2,"method":"lease.request","params":{"max_speed_percent":"x"}}',
+    '{"jsonrpc":"2.0","id":2,"method":"kinematics.ik","params":{"flange_pose_mm_deg":[9e9,0,0,0,0,0]}}',
+    '{"jsonrpc":"2.0","id":2,"method":"motion.send","params":{"lease":-1,"angles_deg":[0,0,0,0,0,0]}}',
+    '{"jsonrpc":"2.0","id":2,"method":"jog.begin","params":{}}',
+    '{"a":' * 2000,
+    "\udcff\udcfe",
+    "x" * 70000,
+)
+
+
+def _said_by_client(chance: random.Random) -> tuple[Any, ...]:
+    return (tuple(chance.choice(_WORDS) for _ in range(chance.choice((1, 1, 3, 20)))),)
+
+
+def _client_stream(chance: random.Random) -> tuple[Any, ...]:
+    return joints(chance), chance.choice((0.0, 5.0, 20.0, 200.0)), chance.choice((10.0, 25.0, 50.0))
+
+
+def _wanted_by_client(chance: random.Random) -> tuple[Any, ...]:
+    """An operation with its arguments."""
+    joint = chance.choice((1, 2, 3, 4, 5, 6, 7))
+    return chance.choice(
+        (
+            ("motors.enable", {"joint": joint}),
+            ("motors.disable", {"joint": joint}),
+            ("motors.resume", {}),
+            ("joints.set_zero", {"joint": joint}),
+            ("joints.clear_error", {"joint": joint}),
+            ("gripper.move", {"travel": 30.0, "effort": 1.0}),
+            ("gripper.enable", {"effort": 1.0}),
+            ("gripper.disable", {}),
+            ("lamps.set", {"joint": 1, "lamp": "nothing", "red": 1, "green": 1, "blue": 1}),
+            ("end_load.set", {"load": "half"}),
+            ("recorder.start", {}),
+        )
+    )
+
+
 def _run_otherwise(chance: random.Random) -> tuple[Any, ...]:
     return (
         joints(chance),
@@ -237,6 +289,35 @@ ACTIONS: Final[tuple[tuple[int, str, Draw], ...]] = (
     (30, "get_ready", _nothing),
     (3, "take_over", _nothing),
     (2, "halt_and_hold", _nothing),
+    # a client of the local interface
+    (6, "client_gets_the_arm", _one(5, 30, 100)),
+    (
+        24,
+        "client_comes_streaming",
+        lambda chance: (chance.choice((5, 30, 100)), *_client_stream(chance)),
+    ),
+    (12, "client_comes_sending", lambda chance: (chance.choice((5, 30, 100)), joints(chance))),
+    (3, "client_connects", _nothing),
+    (4, "client_asks", lambda chance: (chance.random() < 0.8, chance.choice((5, 30, 100)))),
+    (5, "operator_grants", lambda chance: (chance.choice((5, 30, 100)), chance.random() < 0.3)),
+    (1, "operator_declines", _nothing),
+    (2, "operator_takes_back", _nothing),
+    (4, "operator_consents", _one(True, True, False)),
+    (1, "interface_on", _one(True, False)),
+    (8, "client_sends", _target),
+    (4, "client_steps", _joint_step),
+    (3, "client_moves_tool", lambda chance: (joints(chance), chance.choice(("move_p", "move_l")))),
+    (3, "client_speed", _one(0, 5, 30, 100)),
+    (12, "client_streams", _client_stream),
+    (5, "client_rests", _nothing),
+    (3, "client_ends_stream", _nothing),
+    (4, "client_wants", _wanted_by_client),
+    (2, "client_releases", _nothing),
+    (1, "client_stops", _nothing),
+    (2, "client_halts", _nothing),
+    (4, "client_says", _said_by_client),
+    (2, "client_is_silent", _nothing),
+    (2, "client_dies", _nothing),
     # a second host
     (4, "other_target", _target_at_speed),
     (2, "other_pose", lambda chance: (joints(chance), chance.choice((0, 2)))),

@@ -4,6 +4,7 @@ The long run is a command of its own: ``python -m tests.safety.fuzz --seeds 200 
 tenth of whose actions have a function fail that runs during a motion.
 """
 
+import sys
 import time
 from functools import wraps
 
@@ -16,9 +17,12 @@ from armui.control.authority import Authority
 from armui.control.authority_watch import AuthorityWatch
 from armui.control.motion.cartesian import Cartesian
 from armui.control.motion.joint_motion import Motion
+from armui.control.motion.target_stream import TargetJog
 from armui.control.motion_end import MotionEnd
 from armui.control.safety.interlocks import STOPPED
 from armui.control.safety.other_command import OtherCommand
+from armui.interface.interface import Interface
+from armui.interface.lease import Lessor
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codec import Codec
 from armui.protocol.frame import Frame
@@ -255,6 +259,66 @@ def test_a_press_that_holds_the_window_is_seen(qapp, monkeypatch):
 
     monkeypatch.setattr(Actors, "step", busy)
     assert promise(actions) == "S2"
+
+
+# A client of the local interface ---------------------------------------------------------------
+
+here_only = pytest.mark.skipif(sys.platform != "linux", reason="the interface is not offered there")
+FAR_STREAM = (60.0, 40.0, -40.0, 10.0, 20.0, 15.0), 0.0, 50.0
+
+
+@here_only
+@pytest.mark.parametrize(
+    "end",
+    ["operator_takes_back", "client_dies", "client_releases", "interface_on", "client_is_silent"],
+)
+def test_a_stream_that_outlives_its_lease_is_seen(qapp, monkeypatch, end):
+    figures = (False,) if end == "interface_on" else ()
+    actions = [Action("client_comes_streaming", (100, *FAR_STREAM), 0.5), Action(end, figures, 2.0)]
+    assert promise(actions) is None
+    if end == "client_is_silent":
+        monkeypatch.setattr(Lessor, "why_over", lambda *_: None)
+        actions[0] = Action("client_comes_sending", (5, A), 0.5)
+        assert promise(actions) == "S29"
+        return
+    end_stream = Interface._end_stream
+    streams = TargetJog("fuzz.py", FAR_STREAM[0])
+
+    def late(interface):
+        end_stream(interface)
+        interface._controller.jogging.start(streams)
+
+    monkeypatch.setattr(Interface, "_end_stream", late)
+    assert promise([actions[0], actions[1]]) in {"S7–S11", "S29"}
+
+
+@here_only
+def test_a_client_faster_than_granted_is_seen(qapp, monkeypatch):
+    actions = [Action("client_comes_sending", (5, A), 2.0)]
+    assert promise(actions) is None
+    monkeypatch.setattr(Interface, "_cap_speed", lambda *_: None)
+    assert promise([Action("speed", (100,)), *actions]) == "S29"
+
+
+@here_only
+def test_the_end_of_a_lease_that_takes_the_power_is_seen(qapp, monkeypatch):
+    actions = [
+        Action("client_comes_sending", (30, A), 0.5),
+        Action("operator_takes_back", (), 1.0),
+    ]
+    assert promise(actions) is None
+    monkeypatch.setattr(
+        ArmController, "end_motion_of", lambda controller, _: controller.motors.disable(7)
+    )
+    assert promise(actions) == "S29"
+
+
+@here_only
+def test_an_operator_who_moves_beside_a_lease_is_seen(qapp, monkeypatch):
+    actions = [Action("client_gets_the_arm", (30,)), Action("step", (6, 5.0), 0.5)]
+    assert promise(actions) is None
+    monkeypatch.setattr(Interface, "_on_begun", lambda *_: None)
+    assert promise(actions) == "S29"
 
 
 def test_what_fails_is_one_of_what_runs_and_the_same_each_time(qapp):

@@ -6,6 +6,7 @@ import logging
 import sys
 from collections.abc import Callable
 from contextlib import ExitStack
+from pathlib import Path
 from types import TracebackType
 from typing import Final
 
@@ -13,9 +14,12 @@ import can
 from PySide6.QtCore import QCoreApplication
 
 import armui.bus.worker
+import armui.interface.server
 from armui.app import may_drive
 from armui.bus.link import BusState
 from armui.bus.worker import BusWorker
+from armui.interface.interface import Interface
+from armui.interface.server import Server
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
@@ -25,6 +29,7 @@ from tests.arm_rig import ArmRig, thin_out
 from tests.arm_rig_bus import HostBus
 from tests.company import OtherHost
 from tests.safety.fuzz.breakage import Breakage
+from tests.safety.fuzz.local_client import LocalClient, LockstepServer
 from tests.safety.fuzz.lockstep import LockstepWorker
 from tests.safety.fuzz.traffic import Sender, Traffic
 
@@ -58,6 +63,8 @@ class World(ArmRig):
 
     Attributes:
         other: The second host.
+        interface: The program's local interface, switched on.
+        client: Somebody's script at it.
         traffic: Who said what.
         cable: Whether the adapter is plugged in.
         errors: Exceptions that were logged or reached a hook, as text.
@@ -79,6 +86,12 @@ class World(ArmRig):
         self._log = _Errors(self.errors)
         logging.getLogger().addHandler(self._log)
         setattr(armui.bus.worker, "BusWorker", LockstepWorker)  # noqa: B010 - mypy takes no other
+        setattr(armui.interface.server, "Server", LockstepServer)  # noqa: B010 - as above
+        nowhere = Path("api.sock")
+        self.interface = Interface(self.controller, nowhere, lambda: self.time_s)
+        self.interface.switch(on=True)
+        self.client = LocalClient(self)
+        self.company.append(self.client)
         self._copy = can.Message.__deepcopy__
         setattr(can.Message, "__deepcopy__", _itself)  # noqa: B010 - mypy takes no other
         self.breakage: Breakage | None = None
@@ -114,7 +127,7 @@ class World(ArmRig):
 
     def still_timers(self) -> None:
         """Keep the timers of the program from counting the wall clock's time."""
-        for part in (self.controller, self.controller.jogging):
+        for part in (self.controller, self.controller.jogging, self.interface):
             timer = getattr(part, "_timer", None)
             if timer is not None:
                 timer.setInterval(_NEVER_MS)
@@ -133,6 +146,7 @@ class World(ArmRig):
         """A step; what fails in it fails in a slot of a timer."""
         try:
             self.step(STEP_S)
+            self.interface.tick()
         except Exception as error:  # noqa: BLE001 - as Qt does, which goes on
             sys.excepthook(type(error), error, error.__traceback__)
 
@@ -189,6 +203,11 @@ class World(ArmRig):
         self.plug_in()
 
     @property
+    def step_s(self) -> float:
+        """How much time passes between two looks."""
+        return STEP_S
+
+    @property
     def hears(self) -> bool:
         """Whether the program has an open bus: what is said reaches it."""
         return self.cable and self.controller._connection._bus_state is BusState.OPEN
@@ -200,8 +219,11 @@ class World(ArmRig):
             logging.getLogger(name).removeHandler(self._handler)
         logging.getLogger().removeHandler(self._log)
         self.other.close()
+        self.company.remove(self.client)
+        self.interface.end()
         super().close()
         setattr(armui.bus.worker, "BusWorker", BusWorker)  # noqa: B010 - mypy takes no other
+        setattr(armui.interface.server, "Server", Server)  # noqa: B010 - as above
         can.Message.__deepcopy__ = self._copy
 
 
