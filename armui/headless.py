@@ -26,6 +26,7 @@ from armui.simulated_arms import SIMULATED, SimulatedArms
 from armui.system import paths
 from armui.system.clock import steady_s
 from armui.system.helper_process import FileThread, HelperProcess
+from armui.system.thread_priority import raise_in_background
 from armui.ui.background import Background
 from armui.ui.shell.trajectory_pages import open_library
 
@@ -87,6 +88,7 @@ def run(options: argparse.Namespace) -> int:
             app.quit()
         elif view.on:
             interface.changed.disconnect(tell)
+            raise_in_background()  # as the window's threads: a lease ends with an arm not heard
             sys.stdout.write(
                 f"Simulated arm, interface on {view.path}. The lease is {granted}. Ctrl-C ends "
                 "it.\n"

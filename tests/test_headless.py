@@ -1,18 +1,22 @@
 """`armui sim --api-on`: a simulated arm behind the local interface, without a window."""
 
 import json
+import os
 import signal
 import socket
 import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 
 from armui import cli
+from armui.doctor.probes.program import try_priority
 from armui.interface.state_report import FIELDS
 from armui.protocol.codes import MoveMode
+from armui.system.thread_priority import NICE, RaisedBy
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 
@@ -78,6 +82,17 @@ def test_a_script_enables_the_arm_and_moves_it(served):
         until(lambda: measured()["joints_deg"]["value"][0] == pytest.approx(9.0, abs=0.1))
         ended.set()
         stays.join()
+
+
+def test_it_goes_before_other_programs_where_the_system_permits_it(served):
+    program, _path = served
+    if try_priority().by is not RaisedBy.SYSTEM:
+        pytest.skip("this user may not")
+    threads = Path(f"/proc/{program.pid}/task")
+    until_s = time.monotonic() + 30.0
+    while {os.getpriority(os.PRIO_PROCESS, int(each.name)) for each in threads.iterdir()} != {NICE}:
+        assert time.monotonic() < until_s
+        time.sleep(0.05)
 
 
 @pytest.mark.parametrize(
