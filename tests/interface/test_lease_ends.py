@@ -107,6 +107,23 @@ def test_his_motion_goes_on_undisturbed(leased, desk):
     assert desk.rig.firmware.joints_deg == pytest.approx((0, 10, -10, 0, 0, 0), abs=0.1)
 
 
+def stream_fast(client, desk):
+    """Until the setpoint leads the arm by more than a jog's."""
+    rig = desk.rig
+    for _ in range(30):
+        client.ask("stream.target", lease=client.lease, joints_deg=[90.0, *FAR[1:]])
+    stream = rig.controller.jogging._hold.stream
+    assert stream.setpoint_deg[0] - rig.firmware.joints_deg[0] > 3.0
+
+
+def test_his_motion_goes_on_undisturbed_beside_a_fast_stream(leased, desk):
+    desk.rig.controller.motion.set_speed_percent(100)
+    stream_fast(leased, desk)
+    send(desk.rig)
+    desk.rig.run(4.0)
+    assert desk.rig.firmware.joints_deg == pytest.approx((0, 10, -10, 0, 0, 0), abs=0.1)
+
+
 @pytest.mark.parametrize(
     "act",
     [

@@ -269,8 +269,8 @@ class Jogging(ControllerPart):
         if hold.command is None:
             # what was sent is followed until the arm has come to rest
             hold.started.close(Ending.CUT_OFF)
-        elif self._is_led_back(hold):
-            abort_motion(self._context)
+        elif not self._is_replaced(hold) and self._is_led_back(hold):
+            abort_motion(self._context)  # of another command nothing is ended
 
     def _is_led_back(self, hold: _Hold) -> bool:
         """Return whether the arm is far behind: it is led to its limits from outside."""
