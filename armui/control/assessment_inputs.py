@@ -116,6 +116,7 @@ class Assessor:
             run_phase=run.phase,
             jogging=controller.jogging.active,
             recording=controller.recorder.recording,
+            episode=controller.episodes.phase,
             altering=controller.transactions.altering,
             run_sets_lamps=controller.player.sets_lamps,
             pending=self._pending(),

@@ -46,6 +46,7 @@ from armui.control.safety.gate import Gate
 from armui.control.safety.mode_exit import ModeExitCommand
 from armui.control.safety.recovery import Recovery
 from armui.control.safety.sinking_control import SinkingControl
+from armui.control.sessions.episodes import Episodes
 from armui.control.sessions.session_recorder import SessionRecorder
 
 if TYPE_CHECKING:
@@ -156,6 +157,8 @@ class ControllerParts(QObject):
             *(self.jogging, self.cartesian),
             stop=self.emergency_stop,
             halt=self.halt_and_hold,
+            mark_episode=self.episodes.mark,
+            discard_episode=self.episodes.discard,
             clock=self._context.clock,
         )
 
@@ -316,9 +319,16 @@ class ControllerParts(QObject):
         return BusAccess(self._context)
 
     @cached_property
+    def episodes(self) -> Episodes:
+        """The part that marks episodes in the log that is being written."""
+        return Episodes(self._context)
+
+    @cached_property
     def sessions(self) -> SessionRecorder:
         """The part that records what is on the bus."""
-        recorder = SessionRecorder(self._context, self.events, self, self.cell.holding)
+        recorder = SessionRecorder(
+            self._context, self.events, self, self.cell.holding, self.episodes
+        )
         if self.session_choices is not None:
             recorder.choose(self.session_choices())
         return recorder
@@ -391,7 +401,8 @@ class ControllerParts(QObject):
         more = (self.linkage, self.end_reports, self.mounting, self.teaching, self.settings)
         motions = (self.motion, self.cartesian, self.jogging, self.planned_motion)
         runs = (self.player, self.replayer, self.speed_override, self.recorder, self.inspection)
-        return Operations((*parts, *more, *motions, *runs, self.cell, self.reference))
+        rest = (self.cell, self.reference, self.episodes)
+        return Operations((*parts, *more, *motions, *runs, *rest))
 
     # What more than one part ends -------------------------------------------------------------
 

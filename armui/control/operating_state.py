@@ -22,6 +22,7 @@ from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.control.safety.reference_status import ReferenceStatus
 from armui.control.safety.uncommanded_motion import UncommandedMotion
+from armui.control.sessions.progress import EpisodePhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation, PiperModel
 
@@ -88,6 +89,7 @@ class OperatingState:
         run_phase: The phase of the run, or the way the last one ended.
         jogging: A jog is held.
         recording: The program records where the arm goes.
+        episode: What can be marked in the log that is being written.
         altering: The setting being changed that motions rely on, or ``None``.
         run_sets_lamps: The run under way signals by the lamps.
         pending: The parts whose last request the arm has not answered yet, by the names that
@@ -147,6 +149,7 @@ class OperatingState:
     run_phase: RunPhase = RunPhase.IDLE
     jogging: bool = False
     recording: bool = False
+    episode: EpisodePhase = EpisodePhase.NO_LOG
     cannot_send_motion: Refusal | None = None
     mover: Mover = Mover.UNKNOWN
     other_host: OtherHostReport | None = None

@@ -30,7 +30,7 @@ BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
 }
 """The buttons that can be assigned; the cross moves the arm."""
 
-_OPTIONAL: Final = frozenset({"halt", "mode"})
+_OPTIONAL: Final = frozenset({"halt", "mode", "episode", "discard"})
 
 DEAD_ZONES: Final[Mapping[DeviceKind, float]] = {
     DeviceKind.GAMEPAD: 0.18,
@@ -109,12 +109,16 @@ class Assignment:
         stop: The emergency stop; works at any time.
         halt: Halt and hold; works at any time. Empty: no button.
         mode: Switches to the next mode. Empty: no button.
+        episode: Begins an episode of the log, or ends it. Empty: no button.
+        discard: Discards the last episode. Empty: no button.
     """
 
     dead_man: str
     stop: str
     halt: str = ""
     mode: str = ""
+    episode: str = ""
+    discard: str = ""
 
 
 ACTIONS: Final = tuple(field.name for field in fields(Assignment))
@@ -122,7 +126,7 @@ ACTIONS: Final = tuple(field.name for field in fields(Assignment))
 
 
 DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
-    DeviceKind.GAMEPAD: Assignment("left_shoulder", "b", "x", "y"),
+    DeviceKind.GAMEPAD: Assignment("left_shoulder", "b", "x", "y", "start"),
     DeviceKind.SPACE_MOUSE: Assignment("1", "2"),
 }
 
@@ -132,7 +136,11 @@ def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
     first = DEFAULTS[kind]
     if kept is None:
         return first
-    wanted = Assignment(**(asdict(first) | {name: kept[name] for name in ACTIONS if name in kept}))
+    figures = asdict(first) | {name: kept[name] for name in ACTIONS if name in kept}
+    # what was kept before there was the action may have given its button to another one
+    if "episode" not in kept and figures["episode"] in kept.values():
+        figures["episode"] = ""
+    wanted = Assignment(**figures)
     return first if wrong_in(kind, wanted) else wanted
 
 

@@ -60,7 +60,7 @@ from armui.interface.messages import (
     refused,
 )
 from armui.interface.methods import METHODS, read
-from armui.interface.plain_forms import WITHOUT, asks, taken
+from armui.interface.plain_forms import UNLEASED, WITHOUT, asks, taken
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -449,12 +449,12 @@ class Interface(QObject):
     # Operations -------------------------------------------------------------------------------
 
     def _operation(self, waiting: _Waiting, bound: BoundOperation) -> object:
-        lease = self._lease_of(waiting)
         operation = bound.operation
-        if operation.moves and not lease.ask.moves:
+        lease = None if operation.id in UNLEASED else self._lease_of(waiting)
+        if operation.moves and lease is not None and not lease.ask.moves:
             raise refused(LEASE_MOVES_NOTHING())
         taken(bound.carry_out, waiting.call.params)  # what is malformed asks nobody
-        if operation.id == "motion.set_speed":
+        if operation.id == "motion.set_speed" and lease is not None:
             percent = waiting.call.params["percent"]
             if self._slowed:  # the operator's speed holds: the client may only go slower
                 his = self._controller.motion.speed_percent
@@ -518,11 +518,12 @@ class Interface(QObject):
             self._answer(waiting, {"number": None})
 
     def _follow_outcome(self, session: ClientSession, started: Started) -> None:
-        kept = self._moving[-_MOST_MOVING:]
-        going = [each for each in self._moving[:-_MOST_MOVING] if each.ending is None]
-        self._moving = [*going, *kept, started]
         self._followed.append(_Followed(session, started))
-        self._doing = started
+        if started.operation not in UNLEASED:  # the rest is what the lease does
+            kept = self._moving[-_MOST_MOVING:]
+            going = [each for each in self._moving[:-_MOST_MOVING] if each.ending is None]
+            self._moving = [*going, *kept, started]
+            self._doing = started
 
     def _on_begun(self, name: str) -> None:
         """End the lease when the operator moves the arm, or does what needs his consent."""

@@ -97,6 +97,9 @@ class Choices:
     names: tuple[str, ...]
 
 
+UNLEASED: Final = frozenset({"episode.begin", "episode.end", "episode.discard"})
+"""What a client may do without the lease: it marks the log, and neither moves nor sets the arm."""
+
 _SIX: Final = 6
 _NOT_NAMED: Final = frozenset({"self", "started"})
 _ONLY: Final[Mapping[type[enum.Enum], tuple[str, ...]]] = {MoveMode: ("MOVE_P", "MOVE_L")}
@@ -105,7 +108,7 @@ _ONLY: Final[Mapping[type[enum.Enum], tuple[str, ...]]] = {MoveMode: ("MOVE_P", 
 
 def asks(operation: Operation) -> bool:
     """Return whether the operator is asked each time, whatever the lease allows."""
-    return operation.consent is not Consent.NONE or operation.id not in FREE
+    return operation.consent is not Consent.NONE or operation.id not in FREE | UNLEASED
 
 
 def offered(operations: Mapping[str, BoundOperation]) -> Iterator[BoundOperation]:
@@ -252,7 +255,7 @@ def _method(bound: BoundOperation) -> Json:
     return {
         "name": operation.id,
         "summary": operation.title,
-        **takes(bound.carry_out, leased=True),
+        **takes(bound.carry_out, leased=operation.id not in UNLEASED),
         "result": {"name": "number", "schema": {"type": "integer"}},
         "x-moves": operation.moves,
         "x-asks-the-operator": asks(operation),

@@ -30,6 +30,8 @@ class MarkKind(enum.Enum):
     COMMAND = enum.auto()
     NOTE = enum.auto()
     """Any other event, or what the operator marked."""
+    EPISODE = enum.auto()
+    """An episode that the operator marked, from its beginning to its end."""
 
 
 class SessionMark(NamedTuple):

@@ -5726,6 +5726,14 @@ Z 轴指向 {direction}</translation>
         <source>Next mode</source>
         <translation>切换模式</translation>
     </message>
+    <message>
+        <source>Begin or end an episode</source>
+        <translation>开始或结束片段</translation>
+    </message>
+    <message>
+        <source>Discard the last episode</source>
+        <translation>弃用最后一个片段</translation>
+    </message>
 </context>
 <context>
     <name>GamepadAxis</name>
@@ -8999,6 +9007,22 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>未完成的急停已撤销；机械臂尚未确认急停。</translation>
     </message>
     <message>
+        <source>Episode {number} begun: “{task}”</source>
+        <translation>片段 {number} 开始：“{task}”</translation>
+    </message>
+    <message>
+        <source>Episode {number} ended, {seconds} s</source>
+        <translation>片段 {number} 结束，{seconds} s</translation>
+    </message>
+    <message>
+        <source>Episode {number} was not ended: it ends with the log, after {seconds} s</source>
+        <translation>片段 {number} 没有结束标记：随日志一起结束，共 {seconds} s</translation>
+    </message>
+    <message>
+        <source>Episode {number} discarded</source>
+        <translation>片段 {number} 已弃用</translation>
+    </message>
+    <message>
         <source>“{client}” asks for the arm: {purpose}</source>
         <translation>“{client}”申请机械臂：{purpose}</translation>
     </message>
@@ -9442,6 +9466,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>开始发送{message}</translation>
     </message>
     <message>
+        <source>Episode {number}: “{task}”</source>
+        <translation>片段 {number}：“{task}”</translation>
+    </message>
+    <message>
+        <source>Episode {number}, discarded: “{task}”</source>
+        <translation>片段 {number}（已弃用）：“{task}”</translation>
+    </message>
+    <message>
         <source>Unknown event: {code}</source>
         <translation>未知事件：{code}</translation>
     </message>
@@ -9591,6 +9623,18 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Continue the replay</source>
         <translation>继续回放</translation>
+    </message>
+    <message>
+        <source>Begin an episode</source>
+        <translation>开始片段</translation>
+    </message>
+    <message>
+        <source>End the episode</source>
+        <translation>结束片段</translation>
+    </message>
+    <message>
+        <source>Discard the last episode</source>
+        <translation>弃用最后一个片段</translation>
     </message>
     <message>
         <source>Make or import a cell</source>
@@ -10894,6 +10938,46 @@ pose</source>
         <translation>选择…</translation>
     </message>
     <message>
+        <source>Begin episode</source>
+        <translation>开始片段</translation>
+    </message>
+    <message>
+        <source>Marks the beginning of an episode, for a dataset. F6 does it anywhere.</source>
+        <translation>标记数据集片段的开始。在任何地方按 F6 也可以。</translation>
+    </message>
+    <message>
+        <source>End episode</source>
+        <translation>结束片段</translation>
+    </message>
+    <message>
+        <source>Marks the end of the episode. F6 does it anywhere.</source>
+        <translation>标记片段的结束。在任何地方按 F6 也可以。</translation>
+    </message>
+    <message>
+        <source>Discard episode</source>
+        <translation>弃用片段</translation>
+    </message>
+    <message>
+        <source>Leaves the last episode out of datasets; nothing of the log is deleted.</source>
+        <translation>最后一个片段不进入数据集；日志里什么都不删除。</translation>
+    </message>
+    <message>
+        <source>episode {number} under way, {length}</source>
+        <translation>片段 {number} 进行中，{length}</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Task of the episodes</source>
+        <translation>片段的任务</translation>
+    </message>
+    <message>
+        <source>What is done in an episode. It is kept for the episodes that follow.</source>
+        <translation>片段里做的是什么。之后的片段沿用它。</translation>
+    </message>
+    <message>
         <source>A file that has grown to this size is followed by another.</source>
         <translation>文件达到此大小后，另起一个新文件。</translation>
     </message>
@@ -10908,6 +10992,10 @@ pose</source>
     <message>
         <source>Opening the file…</source>
         <translation>正在打开文件…</translation>
+    </message>
+    <message>
+        <source>{count} episodes</source>
+        <translation>{count} 个片段</translation>
     </message>
     <message>
         <source>{length} · {frames} frames · {size} · {rate}/s</source>
@@ -12178,6 +12266,30 @@ The other program must have ended.</source>
     <message>
         <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Release.</source>
         <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再解除急停。</translation>
+    </message>
+    <message>
+        <source>No log is being written, in which an episode could be marked. Start a log.</source>
+        <translation>现在没有在写日志，无处标记片段。请先开始记录日志。</translation>
+    </message>
+    <message>
+        <source>An episode is under way already. End it first.</source>
+        <translation>已有片段在进行。请先结束它。</translation>
+    </message>
+    <message>
+        <source>No episode is under way. Begin one first.</source>
+        <translation>没有进行中的片段。请先开始一个。</translation>
+    </message>
+    <message>
+        <source>There is no episode to discard: none was begun, or the last one is discarded.</source>
+        <translation>没有可弃用的片段：还没有开始过，或最后一个已弃用。</translation>
+    </message>
+    <message>
+        <source>A task is one line of text, of {maximum} characters at most.</source>
+        <translation>任务是一行文字，最多 {maximum} 个字符。</translation>
+    </message>
+    <message>
+        <source>The log has {maximum} episodes already. Stop it and start another one.</source>
+        <translation>这份日志已有 {maximum} 个片段。请停止记录，再开始一份。</translation>
     </message>
     <message>
         <source>The local interface is offered on Linux only, for now.</source>
@@ -14326,6 +14438,14 @@ The other program must have ended.</source>
     <message>
         <source>Faster: run or motion</source>
         <translation>加速：运行或运动</translation>
+    </message>
+    <message>
+        <source>Begin or end an episode of the log</source>
+        <translation>开始或结束日志的片段</translation>
+    </message>
+    <message>
+        <source>Discard the last episode</source>
+        <translation>弃用最后一个片段</translation>
     </message>
     <message>
         <source>This list</source>

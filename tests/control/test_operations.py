@@ -17,6 +17,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operations, declare, operation, operation_of
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.reference_status import ReferenceStatus
+from armui.control.sessions.progress import EpisodePhase
 from armui.protocol.codes import EndLoad, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.ui import words
@@ -61,6 +62,8 @@ def operating_states() -> Iterator[OperatingState]:
             )
     for reference in (ReferenceStatus((5,)), ReferenceStatus((5,), checking=True, looked=True)):
         yield OperatingState(link=LinkState.ONLINE, reference=reference, speed_percent=30)
+    for episode in EpisodePhase:
+        yield OperatingState(link=LinkState.ONLINE, episode=episode)
     for generation in Generation:  # everything is as it should be, with a gripper; then a run
         for running in (False, True):
             yield OperatingState(

@@ -80,6 +80,15 @@ def outside_limits(rig):
     rig.run_until(lambda: rig.controller.operating_state.outside != "")
 
 
+def log_begun(rig):
+    rig.controller.episodes.begin_log([].append, 0.0)
+
+
+def episode_begun(rig):
+    log_begun(rig)
+    accepted(rig.controller.episodes.begin())
+
+
 BEFORE: dict[str, Any] = {
     "motion.come_inside": outside_limits,
     "motors.resume": stopped,
@@ -98,6 +107,8 @@ BEFORE: dict[str, Any] = {
     "reference.allow": in_doubt,
     "reference.drive": checking,
     "reference.finish": lambda rig: checking(rig, answered=True),
+    "episode.begin": log_begun,
+    **dict.fromkeys(("episode.end", "episode.discard"), episode_begun),
     **dict.fromkeys(
         ("cell.choose", "cell.change", "cell.delete", "cell.rename"),
         lambda rig: accepted(rig.controller.cell.take(Cell("bench"))),
@@ -133,6 +144,8 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
     "replay.start": (lambda _rig: (Replay(wave()),), DONE),
     "inspection.start": ((10.0,), DONE),
     "recorder.start": (NONE, DONE),
+    "episode.begin": (("stack the cubes",), DONE),
+    **dict.fromkeys(("episode.end", "episode.discard"), (NONE, DONE)),
     "teaching.command": ((TeachingState.START_RECORDING,), DONE),
     "mounting.tell": ((Mounting.LEVEL,), SENT),
     "end_load.set": ((EndLoad.FULL,), ANSWERED),
@@ -153,10 +166,10 @@ BEGIN: dict[str, tuple[Any, Ending]] = {
 }
 """The arguments each begins with, and how it ends where nothing comes in between."""
 
-GOES_ON = {"jog.begin", "recorder.start"}
+GOES_ON = {"jog.begin", "recorder.start", "episode.begin"}
 """What goes on until the operator ends it."""
 SHOWN = {
-    *("recorder.start", "motors.enable"),
+    *("recorder.start", "motors.enable", "episode.begin", "episode.end", "episode.discard"),
     *("gripper.disable", "gripper.clear_error", "gripper.set_zero"),
     *("cell.take", "cell.choose", "cell.change", "cell.confirm", "cell.delete"),
     *("cell.hold", "cell.rename"),
@@ -196,6 +209,8 @@ def let_go(rig, name):
         rig.controller.jogging.stop()
     elif name == "recorder.start":
         rig.controller.recorder.finish("a")
+    elif name == "episode.begin":
+        accepted(rig.controller.episodes.end())
 
 
 def test_every_operation_is_among_them(rig):
@@ -218,6 +233,9 @@ def test_a_lost_connection_ends_it(rig, name):
     started = begun(rig, name)
     was = started.ending
     rig.controller.disconnect_device()
+    if name == "episode.begin":
+        assert started.ending is None, "the log goes on without an arm, and so does its episode"
+        return
     assert started.ending is (was or (DONE if name == "recorder.start" else CUT_OFF))
 
 

@@ -118,9 +118,11 @@ def test_the_first_assignments_can_be_used():
         ({}, DEFAULTS[PAD.kind]),
         (
             {"dead_man": "right_shoulder"},
-            Assignment("right_shoulder", "b", "x", "y"),
+            Assignment("right_shoulder", "b", "x", "y", "start"),
         ),
-        ({"halt": "", "mode": ""}, Assignment("left_shoulder", "b", "", "")),
+        # kept before episodes had a button: the one it was given then stays with it
+        ({"halt": "start"}, Assignment("left_shoulder", "b", "start", "y")),
+        ({"halt": "", "mode": ""}, Assignment("left_shoulder", "b", "", "", "start")),
         # none of these may be used: no stop, an unknown button, one button for two things
         ({"stop": ""}, DEFAULTS[PAD.kind]),
         ({"dead_man": ""}, DEFAULTS[PAD.kind]),
@@ -136,8 +138,8 @@ def test_what_was_kept_is_only_used_if_it_can_be(kept, expected):
 
 def test_a_button_that_is_taken_changes_places():
     first = DEFAULTS[PAD.kind]
-    assert swapped(first, "dead_man", "a") == Assignment("a", "b", "x", "y")
-    assert swapped(first, "dead_man", "b") == Assignment("b", "left_shoulder", "x", "y")
-    assert swapped(first, "halt", "") == Assignment("left_shoulder", "b", "", "y")
+    assert swapped(first, "dead_man", "a") == Assignment("a", "b", "x", "y", "start")
+    assert swapped(first, "dead_man", "b") == Assignment("b", "left_shoulder", "x", "y", "start")
+    assert swapped(first, "halt", "") == Assignment("left_shoulder", "b", "", "y", "start")
     without = swapped(first, "halt", "")
-    assert swapped(without, "mode", "") == Assignment("left_shoulder", "b", "", "")
+    assert swapped(without, "mode", "") == Assignment("left_shoulder", "b", "", "", "start")

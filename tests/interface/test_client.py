@@ -187,9 +187,10 @@ MOVES = {
 }
 RISE_MM = {"move_line": -20.0, "move_pose": 20.0, "step_tool": 15.0}
 ELSEWHERE = {
-    "call", "check", "close", "end_motion", "events", "fk", "go_on", "gripper_angle", "halt", "ik",
-    "is_connected", "is_enabled", "lease", "operations", "pause", "plan", "run", "state", "stop",
-    "subscribe", "trajectories", "trajectory",
+    "begin_episode", "call", "check", "close", "discard_episode", "end_episode", "end_motion",
+    "events", "fk", "go_on", "gripper_angle", "halt", "ik", "is_connected", "is_enabled", "lease",
+    "operations", "pause", "plan", "run", "state", "stop", "subscribe", "trajectories",
+    "trajectory",
 }  # fmt: skip
 """Methods that other tests call."""
 

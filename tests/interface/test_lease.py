@@ -56,3 +56,25 @@ def test_the_holder_is_told_why_the_lease_has_ended(leased, desk):
     (told,) = leased.told("lease")
     assert told["lease"] == leased.lease
     assert told["reason"]["reason"] == "lease_taken_back"
+
+
+def test_episodes_are_marked_without_a_lease_and_are_nothing_that_a_lease_does(
+    leased, desk, connect
+):
+    lines: list[dict[str, object]] = []
+    desk.rig.controller.episodes.begin_log(lines.append, 0.0)
+    other = connect("a recorder")
+    number = other.ask("episode.begin", task="pour")["number"]
+    assert desk.view.doing == ""
+    assert other.refused("episode.begin")["data"]["reason"] == "episode_under_way"
+    other.ask("episode.end")
+    other.wait(lambda: any(each["state"] == "done" for each in other.told("operation")))
+    assert {each["number"] for each in other.told("operation")} >= {number}
+    other.ask("episode.discard")
+    assert [(each["task"], each["discarded"]) for each in lines] == [
+        ("pour", False),
+        ("pour", False),
+        ("pour", True),
+    ]
+    assert "client_asks" in desk.rig.codes()
+    assert desk.view.lease is not None

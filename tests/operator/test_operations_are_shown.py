@@ -133,6 +133,13 @@ SHOWN = {
     "inspection.start": Shown(
         "inspection", "inspection_start", "inspection", "**Inspect**", "**开始巡检**"
     ),
+    "episode.begin": Shown(
+        "sessions", "episode_begin", "sessions", "**Begin episode**", "**开始片段**"
+    ),
+    "episode.end": Shown("episode", "episode_end", "sessions", "**End episode**", "**结束片段**"),
+    "episode.discard": Shown(
+        "episode", "episode_discard", "sessions", "**Discard episode**", "**弃用片段**"
+    ),
     "recorder.start": Shown("recording", "record", "recording", "Records what", "记录手拖动"),
 }
 
@@ -201,7 +208,15 @@ def stopped(driver):
     driver.run(1.0)
 
 
+def open_episode(driver):
+    driver.click("sessions_button")
+    driver.controller.sessions.start()
+    accepted(driver.controller.episodes.begin())
+
+
 OPEN = {
+    "sessions": lambda driver: driver.click("sessions_button"),
+    "episode": open_episode,
     "editing": edit,
     "window": lambda _driver: None,
     "library": open_library,
@@ -222,6 +237,7 @@ def test_each_has_a_place(rig):
     assert places - PLACES.keys() - set(PANELS) == {
         "editing",
         "cell_held",
+        "episode",
         "outside",
         "stopped",
         *BESIDES,

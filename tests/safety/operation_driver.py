@@ -162,6 +162,9 @@ class Driver(Protocol):
     def unconfirm_cell(self) -> None:
         """Have the cell to be confirmed again, as after another connection."""
 
+    def begin_log(self) -> None:
+        """Have a log written, in which episodes can be marked."""
+
     def run(self, seconds: float) -> None:
         """Let time pass."""
 
@@ -358,6 +361,10 @@ class ControllerDriver(ArmRig):
 
     def check_in_threads(self) -> None:
         self.controller.gate._background = None
+
+    def begin_log(self) -> None:
+        lines: list[object] = []
+        self.controller.episodes.begin_log(lines.append, 0.0)
 
     def unconfirm_cell(self) -> None:
         """Have the cell to be confirmed again."""

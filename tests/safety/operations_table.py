@@ -265,6 +265,17 @@ def in_a_cell(driver: Driver, _way: Way) -> Refusal | None:
     return answer if isinstance(answer, Refusal) else None
 
 
+def log_begun(driver: Driver, _way: Way) -> Refusal | None:
+    driver.begin_log()
+    return None
+
+
+def episode_begun(driver: Driver, _way: Way) -> Refusal | None:
+    driver.begin_log()
+    answer = driver.begin("episode.begin")
+    return answer if isinstance(answer, Refusal) else None
+
+
 def cell_unconfirmed(driver: Driver, _way: Way) -> Refusal | None:
     tool = Tool("pen", (0.0, 0.0, 100.0, 0.0, 0.0, 0.0))
     answer = driver.begin("cell.take", Cell("bench", (tool,), "pen"))
@@ -363,6 +374,9 @@ ENTRIES: Final[Mapping[str, Entry]] = {
     "joints.clear_error": Entry(_always(2)),
     "lamps.set": Entry(_always(1, 2, 3, 4, 5)),
     "recorder.start": Entry(_always()),
+    "episode.begin": Entry(_always("stack the cubes"), before=log_begun),
+    "episode.end": Entry(_always(), before=episode_begun),
+    "episode.discard": Entry(_always(), before=episode_begun),
     "end_load.set": Entry(_always(EndLoad.FULL)),
     "end_load.report": Entry(lambda _way: {"on": True}),
     "linkage.set": Entry(_always(LinkageRole.MOTION_OUTPUT)),

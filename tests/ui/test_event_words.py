@@ -16,6 +16,8 @@ from armui.arm.state import GripperFault
 from armui.control.authority_watch import MOTION_CUT
 from armui.control.event_log.collector import NOT_KEPT, PROBLEM, RUN_POINT
 from armui.control.event_log.log_events import (
+    LOGGED_DISCARDED,
+    LOGGED_EPISODE,
     LOGGED_GRIPPER_JUMP,
     LOGGED_TARGETS,
     UNKNOWN_MARK,
@@ -76,6 +78,8 @@ FIGURES: dict[Observed, dict[str, object]] = {
     PROBLEM: {"reason": LINK_LOST()},
     NOT_KEPT: {"text": "No space left on device"},
     LOGGED_TARGETS: {"message": "MitControl1"},
+    LOGGED_EPISODE: {"number": 3, "task": "stack the cubes"},
+    LOGGED_DISCARDED: {"number": 3, "task": "stack the cubes"},
     LOGGED_GRIPPER_JUMP: {"before": 95.8, "after": 0.1, "unit": "deg", "within_ms": 5.0},
     UNKNOWN_MARK: {"code": "another_planet"},
 }

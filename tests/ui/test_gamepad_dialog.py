@@ -128,7 +128,16 @@ def test_a_button_is_assigned_for_this_device_and_kept(app_driver, dialog, pads)
     choose(dialog, "halt", "b")  # was the stop's: they change places
     assert (pilot.buttons_of(PAD).stop, pilot.buttons_of(PAD).halt) == ("x", "b")
     kept = json.loads(app_driver.store.path.read_text(encoding="utf-8"))["gamepad_buttons"]
-    assert kept == {PAD.name: {"dead_man": "right_shoulder", "stop": "x", "halt": "b", "mode": "y"}}
+    assert kept == {
+        PAD.name: {
+            "dead_man": "right_shoulder",
+            "stop": "x",
+            "halt": "b",
+            "mode": "y",
+            "episode": "start",
+            "discard": "",
+        }
+    }
     dialog.device_box.setCurrentIndex(1)
     dialog.device_box.activated.emit(1)
     choose(dialog, "mode", "3")

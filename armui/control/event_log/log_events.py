@@ -50,6 +50,8 @@ LOGGED_GRIPPER_JUMP = Observed(
     "The gripper's reading jumps from {before} to {after} {unit} within {within_ms} ms, faster "
     "than any gripper: its angle has wrapped, its zero was set, or a second arm answers",
 )
+LOGGED_EPISODE = Observed("logged_episode", "Episode {number}: “{task}”")
+LOGGED_DISCARDED = Observed("logged_discarded", "Episode {number}, discarded: “{task}”")
 UNKNOWN_MARK = Observed("unknown_mark", "Unknown event: {code}")
 
 Wall = Callable[[float], datetime]
@@ -118,7 +120,9 @@ def log_events(
     if rows is not None:
         marks = [each for each in marks if each.entry.get("code") not in _STATUS]
         entries = _events_heard(rows, channel, arm, wall)
-    entries += [entry_of(each, wall) for each in marks]
+    # an episode has the events of its beginning and end
+    told_of = [each for each in marks if each.kind is not MarkKind.EPISODE]
+    entries += [entry_of(each, wall) for each in told_of]
     return LoggedEvents(_log_of(entries), found)
 
 
@@ -159,6 +163,11 @@ def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
         logged, level = _COMMANDS[code]
         params = {"message": mark.entry["message"]} if "message" in mark.entry else {}
         return _entry(mark, wall, logged, _COMMAND, params=params, level=level)
+    if code == "episode":
+        params = {"number": mark.entry["episode"], "task": mark.entry["task"]}
+        logged = LOGGED_DISCARDED if mark.entry["discarded"] else LOGGED_EPISODE
+        by = EventKind.PROGRAM, Asker.OPERATOR
+        return _entry(mark, wall, logged, by, params=params, level=Level.INFO)
     if code == "gripper_jump":
         params = {name: mark.entry[name] for name in ("before", "after", "unit", "within_ms")}
         return _entry(mark, wall, LOGGED_GRIPPER_JUMP, _OF_ARM, params=params, level=Level.WARNING)

@@ -96,6 +96,8 @@ class GamepadPilot(QObject):
         cartesian: Knows the user frame in force.
         stop: Sends the emergency stop.
         halt: Has the arm end its motion and hold.
+        mark_episode: Begins an episode, or ends the one under way.
+        discard_episode: Discards the last episode.
         clock: Monotonic time in seconds.
 
     Attributes:
@@ -117,6 +119,8 @@ class GamepadPilot(QObject):
         *,
         stop: Callable[[], object],
         halt: Callable[[], object],
+        mark_episode: Callable[[], object],
+        discard_episode: Callable[[], object],
         clock: Callable[[], float],
     ) -> None:
         super().__init__()
@@ -124,6 +128,7 @@ class GamepadPilot(QObject):
         self.make_reader: MakeReader = read_devices
         self._jogging, self._cartesian = jogging, cartesian
         self._stop, self._halt = stop, halt
+        self._mark_episode, self._discard_episode = mark_episode, discard_episode
         self._clock = clock
         self._reader: Reader | None = None
         self._leaving: Reader | None = None
@@ -342,6 +347,10 @@ class GamepadPilot(QObject):
             modes = [mode for mode in JogMode if mode is not JogMode.USER or not none]
             place = modes.index(self._mode) if self._mode in modes else -1
             self.set_mode(modes[(place + 1) % len(modes)])
+        if buttons.episode and buttons.episode in down:
+            self._mark_episode()
+        if buttons.discard and buttons.discard in down:
+            self._discard_episode()
         self._show()
 
     # What is shown ----------------------------------------------------------------------------

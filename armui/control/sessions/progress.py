@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +15,19 @@ SESSION_FRAMES_LOST = Notice(
     Level.WARNING,
     EventKind.PROGRAM,
 )
+
+
+class EpisodePhase(enum.Enum):
+    """What can be marked in the log now."""
+
+    NO_LOG = enum.auto()
+    """Nothing: no log is being written."""
+    NONE = enum.auto()
+    """A beginning: there is no episode yet, or the last one is discarded."""
+    UNDER_WAY = enum.auto()
+    """The end of an episode, or that it is discarded."""
+    ENDED = enum.auto()
+    """A beginning, or that the last episode is discarded."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,6 +33,7 @@ from armui.telemetry.events import Asker, EventKind, Level
 if TYPE_CHECKING:
     from armui.bus.link import BusReport
     from armui.control.context import Context
+    from armui.control.sessions.episodes import Episodes
     from armui.control.sessions.sidecar_lines import FedEvent
     from armui.session.recording.session_recording import SessionRecording
     from armui.session.recording.sidecar import Line
@@ -100,6 +101,7 @@ class SessionRecorder(QObject):
         events: The event log.
         parent: The parent object.
         cell: Returns what of a cell holds, which is recorded.
+        episodes: Marks episodes in the recording under way.
 
     Attributes:
         choices: The operator's choices.
@@ -116,9 +118,11 @@ class SessionRecorder(QObject):
         events: EventLog,
         parent: QObject | None = None,
         cell: Callable[[], CellInForce] = CellInForce,
+        episodes: Episodes | None = None,
     ) -> None:
         super().__init__(parent)
         self._context = context
+        self._episodes = episodes
         self._feed = EventFeed(events)
         self._facts = SidecarLines(context, cell)
         self._recent: deque[FedEvent] = deque(maxlen=_MOST_RECENT)
@@ -227,6 +231,8 @@ class SessionRecorder(QObject):
         self._timer.start()
         started = self._started[self._recording] = Started("session.record")
         self._context.tell(SESSION_STARTED, started, name=plan.name)
+        if self._episodes is not None:
+            self._episodes.begin_log(self._recording.note, plan.base.shift_s)
         self.changed.emit()
         return None
 
@@ -379,6 +385,8 @@ class SessionRecorder(QObject):
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
         """Let its last frames be written; what failed is over already."""
+        if self._episodes is not None:
+            self._episodes.end_log()
         self._recording = None
         facts = {"reason": reason, "dropped": self._lane.dropped - self._dropped_before}
         if recording.running and reason != "failure":

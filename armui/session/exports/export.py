@@ -21,8 +21,8 @@ from armui.session.exports.request import (
 )
 from armui.session.frames import NotALogError
 from armui.session.reader import LogFile
+from armui.session.recording.episodes import episodes_of
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.recording.sidecar import marks_of
 from armui.system.atomic import WholeFile, WholeFolder, remove_abandoned
 from armui.system.files import error_text
 
@@ -228,10 +228,9 @@ class _Export:
             if request.format is ExportFormat.LEROBOT:
                 from armui.session.exports.lerobot.episodes import (  # noqa: PLC0415 - pyarrow
                     LeRobotDataset,
-                    marked_episodes,
                 )
 
-                marked = marked_episodes(marks_of(self._source.lines))
+                marked = episodes_of(self._source.lines)
                 return LeRobotDataset(target.unfinished, facts, request.episodes, marked)
             if isinstance(target, WholeFolder):
                 return CsvMessages(target.unfinished, facts)

@@ -28,6 +28,7 @@ from armui.session.frames import (
 )
 from armui.session.recording import index_file, sidecar
 from armui.session.recording.counted import counts_in, counts_of, is_over, keep
+from armui.session.recording.episodes import episode_marks
 from armui.session.recording.formats import MESSAGE, BlfFormat
 from armui.session.recording.index_file import Block
 from armui.session.recording.kinds import RecordingFormat, file_name, names_of
@@ -190,7 +191,8 @@ class RecordedSession:
         except OSError as error:
             raise NotALogError(error_text(error)) from error
         self._starts_s = [block.first_s for block in self._blocks]
-        self.marks: Sequence[SessionMark] = sidecar.marks_of(self.lines)
+        marks = [*sidecar.marks_of(self.lines), *episode_marks(self.lines)]
+        self.marks: Sequence[SessionMark] = sorted(marks, key=lambda mark: mark.at_s)
 
     @property
     def start_s(self) -> float:

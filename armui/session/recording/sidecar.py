@@ -7,7 +7,8 @@ Kinds: ``session`` (format, program, device, time base), ``arm``, ``cell`` (what
 cell held) and ``settings`` (as read while it was recorded), ``event`` (an entry of the program's
 events, its log time and its kind of mark), ``file`` (a file was begun; the log time from which it
 counts), ``lost`` (frames that are missing from here on), ``clock`` (the time of day was set
-meanwhile), ``end``, ``counted`` (the counts of its frames, if it has no events).
+meanwhile), ``episode`` (an episode was marked), ``end``, ``counted`` (the counts of its frames, if
+it has no events).
 """
 
 from __future__ import annotations

@@ -78,6 +78,8 @@ _ONE_PRESS: Final = (
     ("everywhere.guide", "F1", Text("Shortcut", "User guide, at the place where you are")),
     ("everywhere.faster", "F7",
      Text("Shortcut", "Faster: run or motion")),
+    ("everywhere.episode", "F6", Text("Shortcut", "Begin or end an episode of the log")),
+    ("everywhere.discard_episode", "Shift+F6", Text("Shortcut", "Discard the last episode")),
     ("everywhere.shortcuts", "?", Text("Shortcut", "This list")),
     ("window.settings", "Ctrl+,", Text("MenuFoot", "Settings")),
     ("window.reset_view", "Ctrl+0", Text("MenuFoot", "Reset view")),

@@ -18,7 +18,7 @@ _LEFT: Final = (
     *("jog.*", "motion.*", "tool.*", "run.*", "replay.*", "recorder.*", "planned.*"),
     *("teaching.*", "motors.*", "reference.*", "joints.clear_error"),
     *("gripper.move", "gripper.enable", "gripper.disable", "gripper.clear_error"),
-    *("cell.confirm", "cell.hold", "linkage_back_button"),
+    *("cell.confirm", "cell.hold", "episode.*", "linkage_back_button"),
 )
 """The operations that it leaves, and the button that makes an arm obey the stop again; all others
 are taken away.

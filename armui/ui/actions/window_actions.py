@@ -163,6 +163,8 @@ class WindowActions(QObject):
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
             "faster": self._go_faster,
+            "episode": controller.episodes.mark,
+            "discard_episode": controller.episodes.discard,
         }
         everywhere = Qt.ShortcutContext.ApplicationShortcut
         for name, act in openers.items():

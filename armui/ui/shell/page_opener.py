@@ -218,7 +218,7 @@ class PageOpener(QObject):
             )
 
             bar, self._bar = self._bar, None
-            mark = RecordingMark(self.controller.sessions, bar)
+            mark = RecordingMark(self.controller.sessions, self.controller.episodes, bar)
             mark.clicked.connect(lambda: self.show("sessions"))
             bar.add_mark(mark)
 

@@ -57,6 +57,8 @@ _ACTIONS: Final = Texts("GamepadAction") | {
     "stop": "Emergency stop",
     "halt": "Halt",
     "mode": "Next mode",
+    "episode": "Begin or end an episode",
+    "discard": "Discard the last episode",
 }
 
 

@@ -12,7 +12,7 @@ from pyarrow import parquet
 from armui.export.export_command import add_arguments, run
 from armui.protocol.generation import Generation
 from armui.session.exports.export import export_log, open_source
-from armui.session.exports.lerobot.episodes import NAMES, Stretch, marked_episodes
+from armui.session.exports.lerobot.episodes import NAMES
 from armui.session.exports.request import (
     EpisodeOptions,
     ExportError,
@@ -20,7 +20,7 @@ from armui.session.exports.request import (
     ExportProblem,
     ExportRequest,
 )
-from armui.session.session import MarkKind, SessionMark
+from armui.session.recording.episodes import Episode, episode_line
 from armui.sim.faults.schedule import Fault
 from tests.session.recordings import START_S, frames, moving, write
 
@@ -211,19 +211,15 @@ def test_generation_1_has_no_opening(tmp_path):
 
 def test_marked_episodes_alone_are_taken(tmp_path):
     log = log_of(tmp_path / "a.blf")
-    marks = [(2.0, "episode_begun"), (5.0, "episode_ended"), (6.0, "episode_begun")]
-    lines = [
-        {
-            "kind": "event",
-            "time_s": START_S + at_s,
-            "entry": {"code": code, "params": {"task": "pick"}},
-        }
-        for at_s, code in marks
+    marked = [
+        Episode(1, START_S + 0.5, START_S + 1.9, "a try", discarded=True),
+        Episode(2, START_S + 2.0, START_S + 5.0, "pick"),
+        Episode(3, START_S + 6.0),
     ]
 
     def opened(path):
         source = open_source(path)
-        source.lines = lines
+        source.lines = [episode_line(each) for each in marked]
         return source
 
     request = ExportRequest(log, tmp_path / "d", ExportFormat.LEROBOT)
@@ -233,28 +229,23 @@ def test_marked_episodes_alone_are_taken(tmp_path):
         pytest.approx(3.0, abs=0.1),
         pytest.approx(6.0, abs=0.1),
     ]
-    assert found.tasks.to_pandas().index.tolist() == ["pick"]
+    assert [each["tasks"] for each in found.episodes] == [["pick"], ["PiPER"]]
+    assert found.tasks.to_pandas().index.tolist() == ["pick", "PiPER"]
     assert "episodes_unmarked" not in said(report)
 
 
-@pytest.mark.parametrize(
-    ("marks", "wanted"),
-    [
-        ([], []),
-        ([(1, "begun"), (3, "ended")], [(1, 3)]),
-        ([(1, "begun"), (3, "begun")], [(1, 3), (3, np.inf)]),
-        ([(1, "begun"), (3, "discarded")], []),
-        ([(1, "begun"), (2, "ended"), (3, "discarded")], []),
-        ([(0, "ended"), (0, "discarded"), (1, "of_another_kind")], []),
-        ([(1, "begun"), (2, "ended"), (3, "begun"), (4, "discarded")], [(1, 2)]),
-    ],
-)
-def test_marks_make_episodes(marks, wanted):
-    told = [
-        SessionMark(at_s, MarkKind.NOTE, {"code": f"episode_{code}", "params": {"task": "a"}})
-        for at_s, code in marks
-    ]
-    assert marked_episodes(told) == [Stretch(begin, end, "a") for begin, end in wanted]
+def test_a_log_whose_episodes_were_all_discarded_makes_no_dataset(tmp_path):
+    log = log_of(tmp_path / "a.blf", 3.0)
+
+    def opened(path):
+        source = open_source(path)
+        source.lines = [episode_line(Episode(1, START_S, START_S + 2.0, discarded=True))]
+        return source
+
+    request = ExportRequest(log, tmp_path / "d", ExportFormat.LEROBOT)
+    with pytest.raises(ExportError) as error:
+        export_log(request, open_recording=opened)
+    assert error.value.problem is ExportProblem.NO_EPISODE
 
 
 def test_too_short_a_log_makes_no_dataset(tmp_path):

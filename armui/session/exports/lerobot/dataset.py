@@ -31,7 +31,7 @@ _QUANTILES: Final = (1, 10, 50, 90, 99)
 _COUNTED: Final = ("frame_index", "episode_index", "index", "task_index")
 
 
-class Episode(NamedTuple):
+class EpisodeFrames(NamedTuple):
     """An episode at an even rate.
 
     Attributes:
@@ -46,7 +46,7 @@ class Episode(NamedTuple):
 
 
 def write_dataset(
-    folder: Path, episodes: Sequence[Episode], names: Sequence[str], fps: int
+    folder: Path, episodes: Sequence[EpisodeFrames], names: Sequence[str], fps: int
 ) -> None:
     """Write a dataset into an empty folder.
 
@@ -90,7 +90,9 @@ def write_dataset(
         sync_folder(each)
 
 
-def _values(episode: Episode, number: int, first: int, task: int, fps: int) -> dict[str, Array]:
+def _values(
+    episode: EpisodeFrames, number: int, first: int, task: int, fps: int
+) -> dict[str, Array]:
     count = len(episode.state)
     frames = np.arange(count)
     return {
@@ -116,7 +118,7 @@ def _table(pa: Any, schema: Any, values: dict[str, Array]) -> Any:
     return pa.Table.from_arrays(arrays, schema=schema)
 
 
-def _row(number: int, episode: Episode, end: int, stats: dict[str, Any]) -> dict[str, Any]:
+def _row(number: int, episode: EpisodeFrames, end: int, stats: dict[str, Any]) -> dict[str, Any]:
     """Return what the list of episodes has of one."""
     return {
         "episode_index": number,
@@ -166,7 +168,7 @@ def _tasks(pa: Any, tasks: Sequence[str]) -> Any:
 
 
 def _info(
-    episodes: Sequence[Episode], tasks: Sequence[str], names: Sequence[str], fps: int
+    episodes: Sequence[EpisodeFrames], tasks: Sequence[str], names: Sequence[str], fps: int
 ) -> dict[str, Any]:
     vector: dict[str, Any] = {"dtype": "float32", "shape": [len(names)], "names": list(names)}
     features = {STATE: vector, ACTION: vector}

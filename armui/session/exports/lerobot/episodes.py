@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, NamedTuple
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from armui.arm.refusal import Reason
-from armui.session.exports.lerobot.dataset import Episode, write_dataset
+from armui.session.exports.lerobot.dataset import EpisodeFrames, write_dataset
 from armui.session.exports.lerobot.frames import GRIPPER, Cause, InstantSampler
 from armui.session.exports.request import ExportError, ExportProblem
+from armui.session.recording.episodes import Episode
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -21,14 +22,11 @@ if TYPE_CHECKING:
     from armui.session.exports.history import ExportFacts, History, TimeSpan
     from armui.session.exports.lerobot.frames import Instants
     from armui.session.exports.request import EpisodeOptions
-    from armui.session.session import SessionMark
 
 NAMES: Final = (*(f"joint_{joint}.pos" for joint in range(1, 7)), "gripper.pos")
 """The names of the values: degrees and mm, as of ``lerobot_robot_armui``."""
 SHORTEST_S: Final = 1.0
 """What is shorter is no episode."""
-BEGUN, ENDED, DISCARDED = "episode_begun", "episode_ended", "episode_discarded"
-"""The ids of the events that mark episodes."""
 
 EPISODES_UNMARKED = Reason(
     "episodes_unmarked", "No episode is marked in it: all of it is taken as one, “{task}”."
@@ -65,39 +63,6 @@ _WHY: Final = {
 _MOST_TOLD: Final = 20
 
 
-class Stretch(NamedTuple):
-    """A stretch of a log, in log times.
-
-    Attributes:
-        begin_s: Its beginning.
-        end_s: Its end; infinity where nobody has marked one.
-        task: What was done, in words.
-    """
-
-    begin_s: float
-    end_s: float
-    task: str
-
-
-def marked_episodes(marks: Sequence[SessionMark]) -> list[Stretch]:
-    """Return the episodes that the operator has marked, but for those discarded."""
-    found: list[Stretch] = []
-    open_ = False
-    for mark in marks:
-        code = mark.entry.get("code")
-        if code in {BEGUN, ENDED, DISCARDED} and open_:
-            found[-1] = found[-1]._replace(end_s=mark.at_s)
-            open_ = False
-        if code == BEGUN:
-            params = mark.entry.get("params")
-            task = params.get("task", "") if isinstance(params, dict) else ""
-            found.append(Stretch(mark.at_s, np.inf, str(task)))
-            open_ = True
-        elif code == DISCARDED and found:
-            found.pop()
-    return found
-
-
 class LeRobotDataset:
     """Writes episodes as a dataset; see `Sink`.
 
@@ -105,7 +70,7 @@ class LeRobotDataset:
         folder: The folder for the files; it exists and is empty.
         facts: The facts on the recorded arm.
         options: The rate, and the task of episodes that name none.
-        marked: The episodes that are marked in the log.
+        marked: The episodes that are marked in the recording; those discarded are left out.
 
     Attributes:
         items: The number of frames.
@@ -120,7 +85,7 @@ class LeRobotDataset:
         folder: Path,
         facts: ExportFacts,
         options: EpisodeOptions,
-        marked: Sequence[Stretch],
+        marked: Sequence[Episode],
     ) -> None:
         import pyarrow as pa  # noqa: F401, PLC0415 - optional: said before the log is read
 
@@ -144,13 +109,14 @@ class LeRobotDataset:
         """
         instants = self._sampler.instants()
         times_s = self._start_s + instants.numbers / self._fps
-        stretches = self._marked
-        if not stretches:
+        marked = [each for each in self._marked if not each.discarded]
+        if not self._marked:
             self.notes.append(EPISODES_UNMARKED(task=self._task))
-            stretches = [Stretch(-np.inf, np.inf, self._task)]
+            marked = [Episode(1, -np.inf)]
         episodes, left = [], []
-        for each in stretches:
-            inside = (times_s >= each.begin_s) & (times_s <= each.end_s)
+        for each in marked:
+            end_s = np.inf if each.end_s is None else each.end_s
+            inside = (times_s >= each.begin_s) & (times_s <= end_s)
             for first, behind in _runs(inside, instants):
                 cause = Cause(instants.causes[first])
                 if cause is not Cause.NONE:
@@ -180,7 +146,7 @@ class LeRobotDataset:
         gripper = bool(np.isfinite(instants.measured[places, GRIPPER]).all())
         columns = slice(None) if gripper else slice(GRIPPER)
         written = [
-            Episode(task, instants.measured[part, columns], asked[part, columns])
+            EpisodeFrames(task, instants.measured[part, columns], asked[part, columns])
             for task, part in episodes
         ]
         write_dataset(self._folder, written, NAMES[columns], self._fps)

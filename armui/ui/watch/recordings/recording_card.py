@@ -5,11 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
     QLabel,
+    QLineEdit,
     QProgressBar,
     QSizePolicy,
     QSpinBox,
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.control.sessions.episodes import LONGEST_TASK, Episodes
 from armui.control.sessions.session_recorder import KEPT_S
 from armui.setting_fields import ROTATE_MB
 from armui.system.clock import local_time
@@ -65,6 +67,12 @@ def length_text(seconds: float | None) -> str:
     if whole >= _HOUR_S:
         return f"{whole // _HOUR_S}:{minutes:02}:{rest:02}"
     return f"{minutes}:{rest:02}"
+
+
+def episode_text(number: int, elapsed_s: float) -> str:
+    """Return the text on the episode under way."""
+    text = QCoreApplication.translate("RecordingCard", "episode {number} under way, {length}")
+    return text.format(number=number, length=length_text(elapsed_s))
 
 
 def moment_text(unix_s: float) -> str:
@@ -180,9 +188,32 @@ class RecordingCard(HasActs, Translated, QFrame):
         title=Text("Action", "Folder of the logs"),
     )
 
+    begin_button = Act(
+        "Begin episode",
+        named="episode_begin",
+        does=Episodes.begin,
+        tip="Marks the beginning of an episode, for a dataset. F6 does it anywhere.",
+        key="sessions.begin_episode",
+    )
+    end_button = Act(
+        "End episode",
+        named="episode_end",
+        does=Episodes.end,
+        tip="Marks the end of the episode. F6 does it anywhere.",
+        key="sessions.end_episode",
+    )
+    discard_button = Act(
+        "Discard episode",
+        named="episode_discard",
+        does=Episodes.discard,
+        tip="Leaves the last episode out of datasets; nothing of the log is deleted.",
+        key="sessions.discard_episode",
+    )
+
     def __init__(self, controller: ArmController, store: SettingsStore) -> None:
         super().__init__()
         self._controller = controller
+        self._episodes: Episodes = controller.episodes
         self._sessions: SessionRecorder = controller.sessions
         self._store = store
         self._before: tuple[float, int] | None = None
@@ -193,6 +224,8 @@ class RecordingCard(HasActs, Translated, QFrame):
         self._lay_out()
         self.format_box.activated.connect(self._on_format)
         self.size_box.valueChanged.connect(self._on_size)
+        self.task_field.editingFinished.connect(self._on_task)
+        self._episodes.changed.connect(self.refresh)
         self.retranslate_ui()
 
     def _make_widgets(self) -> None:
@@ -210,6 +243,8 @@ class RecordingCard(HasActs, Translated, QFrame):
         self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.size_box.setKeyboardTracking(False)
         self.size_box.setSingleStep(50)
+        self.task_field = named("episode_task", QLineEdit(maxLength=LONGEST_TASK))
+        self._task_label = QLabel()
         self.folder_name = named("session_folder", ElidedLabel())
         for cut in (self.state_label, self.folder_name):
             cut.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -223,7 +258,12 @@ class RecordingCard(HasActs, Translated, QFrame):
             *(self._folder_label, (self.folder_name, 1), self.folder_button),
             spacing=5,
         )
-        in_column(head, chosen, STRETCH, on=self, spacing=4, margins=_INSIDE)
+        marks = in_row(
+            *(self._task_label, (self.task_field, 1)),
+            *(self.begin_button, self.end_button, self.discard_button),
+            spacing=5,
+        )
+        in_column(head, chosen, marks, STRETCH, on=self, spacing=4, margins=_INSIDE)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -231,6 +271,11 @@ class RecordingCard(HasActs, Translated, QFrame):
         self._format_label.setText(self.tr("Format"))
         self._size_label.setText(self.tr("New file at"))
         self._folder_label.setText(self.tr("Folder"))
+        self._task_label.setText(self.tr("Task"))
+        self.task_field.setAccessibleName(self.tr("Task of the episodes"))
+        self.task_field.setToolTip(
+            self.tr("What is done in an episode. It is kept for the episodes that follow.")
+        )
         self.format_box.setAccessibleName(self._format_label.text())
         self.size_box.setAccessibleName(self._size_label.text())
         self.size_box.setToolTip(
@@ -252,14 +297,24 @@ class RecordingCard(HasActs, Translated, QFrame):
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))
         self._show_icon(recording=progress is not None)
+        if not self.task_field.hasFocus():
+            self.task_field.setText(self._episodes.task)
         self.show_acts()
         if progress is None:
             self._before, self._rate = None, 0.0
             self.state_label.show_text(self.tr("Not logging"))
             self.figures_label.setText(self.tr("The last minutes are kept in memory anyway."))
             return
-        self.state_label.show_text(progress.name or self.tr("Opening the file…"))
+        state = progress.name or self.tr("Opening the file…")
+        self.state_label.show_text(" · ".join([state, *self._episode_texts()]))
         self.figures_label.setText(self._figures(progress))
+
+    def _episode_texts(self) -> list[str]:
+        episode = self._episodes.under_way
+        if episode is not None:
+            return [episode_text(episode.number, self._episodes.elapsed_s)]
+        kept = self._episodes.kept
+        return [self.tr("{count} episodes").format(count=kept)] if kept else []
 
     def _figures(self, progress: RecordingProgress) -> str:
         if self._before is not None and progress.elapsed_s - self._before[0] >= 1.0:
@@ -297,6 +352,22 @@ class RecordingCard(HasActs, Translated, QFrame):
             self._sessions.start()
         self.refresh()
 
+    @begin_button.pressed
+    def _on_begin(self) -> None:
+        self._on_task()
+        self._episodes.begin()
+
+    @end_button.pressed
+    def _on_end(self) -> None:
+        self._episodes.end()
+
+    @discard_button.pressed
+    def _on_discard(self) -> None:
+        self._episodes.discard()
+
+    def _on_task(self) -> None:
+        self._episodes.task = self.task_field.text().strip()
+
     def _on_format(self) -> None:
         self._store.change(session_format=self.format_box.currentData())
 
@@ -323,11 +394,15 @@ class RecordingMark(Translated, QToolButton):
 
     Args:
         sessions: Gives the recording.
+        episodes: Gives the episode under way.
     """
 
-    def __init__(self, sessions: SessionRecorder, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, sessions: SessionRecorder, episodes: Episodes, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._sessions = sessions
+        self._episodes = episodes
         self.setObjectName("recording_mark")
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setIconSize(QSize(_MARK_ICON_PX, _MARK_ICON_PX))
@@ -339,6 +414,7 @@ class RecordingMark(Translated, QToolButton):
         self._recolor()
         self.retranslate_ui()
         sessions.changed.connect(self._on_changed)
+        episodes.changed.connect(self._show_time)
         self._on_changed()
 
     def retranslate_ui(self) -> None:
@@ -363,5 +439,8 @@ class RecordingMark(Translated, QToolButton):
         progress = self._sessions.progress()
         if progress is not None:
             text = length_text(progress.elapsed_s)
+            episode = self._episodes.under_way
+            if episode is not None:
+                text += " · " + episode_text(episode.number, self._episodes.elapsed_s)
             self.setText(f" {text}")
             self.setAccessibleName(self.tr("Log being written, {length}").format(length=text))

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 TROUBLE: Final = frozenset({MarkKind.FAULT, MarkKind.STOP})
 """The kinds of marks for «next fault»."""
+_LASTING: Final = TROUBLE | {MarkKind.EPISODE}
 _HERE_S: Final = 1e-4
 """A mark this near to the present time is the one the operator has gone to."""
 
@@ -56,7 +57,7 @@ def end_of(mark: SessionMark, log_end_s: float) -> float | None:
         mark: The mark.
         log_end_s: The end of the log, where marks without an end stop.
     """
-    if mark.kind not in TROUBLE or "ended_s" not in mark.entry:
+    if mark.kind not in _LASTING or "ended_s" not in mark.entry:
         return None
     ended_s = mark.entry["ended_s"]
     if ended_s is None:

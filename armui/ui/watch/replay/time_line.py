@@ -33,6 +33,14 @@ _HEIGHT_PX: Final = 62
 _EDGE_PX: Final = 10.0
 _FAULT_ROW: Final = QRectF(0, 6, 0, 9)
 _COMMAND_ROW: Final = QRectF(0, 27, 0, 9)
+_EPISODE_ROW: Final = QRectF(0, 15.5, 0, 11)
+_ROWS: Final = {MarkKind.FAULT: _FAULT_ROW, MarkKind.EPISODE: _EPISODE_ROW}
+"""Where marks that last are drawn."""
+_DRAWN: Final = (
+    *(MarkKind.NOTE, MarkKind.EPISODE, MarkKind.COMMAND),
+    *(MarkKind.FAULT, MarkKind.STOP),
+)
+"""The kinds of marks, the last above the others."""
 _STOP_Y: Final = 21.0
 _LABELS_Y: Final = 40.0
 _NEAR_PX: Final = 5.0
@@ -231,8 +239,9 @@ class TimeLine(Translated, QWidget):
         painter.end()
 
     def _draw_marks(self, painter: QPainter, colors: Colors) -> None:
-        """Faults as long as they last, stops as triangles, commands as ticks."""
+        """Faults and episodes as long as they last, stops as triangles, commands as ticks."""
         inks = {
+            MarkKind.EPISODE: colors.ok,
             MarkKind.NOTE: colors.muted,
             MarkKind.COMMAND: colors.accent,
             MarkKind.FAULT: colors.stop,
@@ -249,10 +258,7 @@ class TimeLine(Translated, QWidget):
         span = self._from_s, self._to_s, width_px
         if span != self._span_of_shapes:
             self._span_of_shapes = span
-            self._shapes = {
-                kind: _shape(kind, self._places.within(kind, *span))
-                for kind in (MarkKind.NOTE, MarkKind.COMMAND, MarkKind.FAULT, MarkKind.STOP)
-            }
+            self._shapes = {kind: _shape(kind, self._places.within(kind, *span)) for kind in _DRAWN}
         return self._shapes
 
     def _draw_times(self, painter: QPainter, colors: Colors) -> None:
@@ -289,13 +295,13 @@ def _shape(kind: MarkKind, places_px: NDArray[np.float64]) -> QPainterPath:
     """The marks of one kind in one shape: drawn at once, however many there are."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
-    row = _FAULT_ROW if kind is MarkKind.FAULT else _COMMAND_ROW
+    row = _ROWS.get(kind, _COMMAND_ROW)
     for begin_px, end_px in (places_px + _EDGE_PX).tolist():
         if kind is MarkKind.STOP:
             path.addPolygon(_triangle(begin_px))
             path.closeSubpath()
         else:
-            width_px = max(_LEAST_PX, end_px - begin_px) if kind is MarkKind.FAULT else _LEAST_PX
+            width_px = max(_LEAST_PX, end_px - begin_px) if kind in _ROWS else _LEAST_PX
             path.addRect(QRectF(begin_px, row.top(), width_px, row.height()))
     return path
 

@@ -35,6 +35,9 @@ from armui_client.values import (
 _AGAIN_S: Final = 0.05
 _WITHOUT_LEASE: Final = frozenset(
     {
+        "episode.begin",
+        "episode.discard",
+        "episode.end",
         "events.subscribe",
         "events.unsubscribe",
         "halt",
@@ -475,6 +478,26 @@ class Arm:
         """
         color = {"red": red, "green": green, "blue": blue}
         return self._operation("lamps.set", {"joint": joint, "lamp": lamp, **color})
+
+    def begin_episode(self, task: str | None = None) -> Operation:
+        """Mark the beginning of an episode in armui's log; no lease is needed.
+
+        Args:
+            task: What is done in it, one line; by default that of the episode before.
+
+        Returns:
+            The episode, which is done when it is ended.
+        """
+        params = {} if task is None else {"task": task}
+        return self._operation("episode.begin", params, wait=False)
+
+    def end_episode(self) -> Operation:
+        """Mark the end of the episode; no lease is needed."""
+        return self._operation("episode.end", {})
+
+    def discard_episode(self) -> Operation:
+        """Leave the last episode out of datasets; no lease is needed."""
+        return self._operation("episode.discard", {})
 
     def set_speed(self, percent: float) -> Operation:
         """Set the speed of all motions, at most what the operator has granted."""
