@@ -40,6 +40,8 @@ PATH_SINGULAR = Reason(
 _FINE_STEPS: Final = 2.0
 """The fine steps between two places that are checked."""
 _FEWEST_STEPS: Final = 8
+_LONGEST_MM: Final = 10_000.0
+"""Longer than any line or arc within the reach of an arm: its places are not worth counting."""
 
 
 def check_pose(
@@ -76,6 +78,8 @@ def led_joints(
         path: The path; it begins at the flange.
         start_deg: The present joint angles.
     """
+    if not path.length_mm <= _LONGEST_MM:
+        return PATH_OUT_OF_REACH(gone=0)
     joints: Matrix = follow(kinematics.geometry, places(path)[None], np.array([start_deg]))[0]
     singular = leaps(joints, _FINE_STEPS)
     for index in range(1, len(joints)):

@@ -574,6 +574,7 @@ class Interface(QObject):
             *(name, cycles, first_row), partial(self._on_run, waiting), self._give_up_run
         )
         self._run = waiting, request
+        self._end_stream()  # as with any motion: it ends what the client did before
         request.begin()
 
     def _on_run(self, waiting: _Waiting, request: RunRequest) -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import enum
 import inspect
-import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -101,6 +100,8 @@ UNLEASED: Final = frozenset({"episode.begin", "episode.end", "episode.discard"})
 """What a client may do without the lease: it marks the log, and neither moves nor sets the arm."""
 
 _SIX: Final = 6
+_MOST: Final = 1e6
+"""No figure of a client's is larger, in mm or degrees: with such ones calculations overflow."""
 _NOT_NAMED: Final = frozenset({"self", "started"})
 _ONLY: Final[Mapping[type[enum.Enum], tuple[str, ...]]] = {MoveMode: ("MOVE_P", "MOVE_L")}
 """Of these enumerations some values are no choices of a command."""
@@ -178,9 +179,10 @@ def _taken(name: str, hint: object, value: object) -> object:
         wrong = "a text" if longest is None else f"a text of 1 to {longest.length} characters"
     elif kind in {int, float}:
         whole = kind is int
-        if isinstance(value, int if whole else int | float) and not isinstance(value, bool):
+        numeric = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
+        if numeric and (whole or _is_plausible(value)):
             return value
-        wrong = "a whole number" if whole else "a number"
+        wrong = "a whole number" if whole else f"a number within ±{_MOST:,.0f}"
     elif get_origin(kind) is list:
         return _listed(name, get_args(kind)[0], marks, value)
     else:
@@ -203,21 +205,21 @@ def _listed(name: str, of: object, marks: Mapping[type, Any], value: object) -> 
 
 
 def six(name: str, value: object) -> tuple[float, ...]:
-    """Return six finite numbers.
+    """Return six plausible numbers.
 
     Raises:
         CallError: It is something else.
     """
     if isinstance(value, list) and len(value) == _SIX:
         numbers = [each for each in value if isinstance(each, int | float)]
-        if len(numbers) == _SIX and not any(isinstance(each, bool) for each in numbers):
-            try:
-                found = tuple(map(float, numbers))
-            except OverflowError:
-                found = (math.inf,)
-            if all(map(math.isfinite, found)):
-                return found
-    raise CallError(Code.PARAMS, f"“{name}” must be six numbers.")
+        are_numbers = len(numbers) == _SIX and not any(isinstance(each, bool) for each in numbers)
+        if are_numbers and all(map(_is_plausible, numbers)):
+            return tuple(map(float, numbers))
+    raise CallError(Code.PARAMS, f"“{name}” must be six numbers within ±{_MOST:,.0f}.")
+
+
+def _is_plausible(value: Any) -> bool:
+    return bool(-_MOST <= value <= _MOST)  # an infinite one is not, nor is one that is no number
 
 
 def _kind(hint: object) -> tuple[object, Mapping[type, Any]]:
@@ -299,7 +301,8 @@ def _schema(method: Callable[..., object], name: str, hint: object) -> Json:
     if kind in {int, float}:
         return _number(figures_of(method).get(name), whole=kind is int)
     unit = {"x-unit": marks[str]} if str in marks else {}
-    numbers = {"type": "array", "items": {"type": "number"}}
+    number = {"type": "number", "minimum": -_MOST, "maximum": _MOST}
+    numbers = {"type": "array", "items": number}
     return {**numbers, "minItems": _SIX, "maxItems": _SIX, **unit}
 
 

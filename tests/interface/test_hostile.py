@@ -228,3 +228,22 @@ def test_a_socket_left_by_a_killed_program_is_taken_over(rig, tmp_path):
     assert interface.view.problem is None
     assert interface.end()
     assert not path.exists()
+
+
+def test_a_line_or_arc_to_the_moon_costs_the_window_nothing(leased, desk):
+    far = [[0.0, 0.0, each, 0.0, 0.0, 0.0] for each in (1e6, -1e6)]
+    here = list(desk.rig.controller.cartesian.kinematics().forward(desk.rig.firmware.joints_deg))
+    beside = [here[0] + 100.0, *here[1:]]
+    began_s = time.thread_time()
+    for method, params in (
+        ("tool.move", {"target": far[0], "move_mode": "move_l"}),
+        ("tool.step", {"axis": 0, "amount": -1e6, "frame": "base"}),
+        ("tool.arc", {"points": [here, far[1], beside]}),
+    ):
+        told = leased.refused(method, lease=leased.lease, **params)
+        assert told["data"]["reason"].startswith("path_"), told
+    assert time.thread_time() - began_s < 1.0, "of ten seconds and more"
+    for figure in (1e7, 1e308, 10**400):
+        leased.refused("kinematics.fk", joints_deg=[figure] * 6)
+        leased.refused("tool.step", lease=leased.lease, axis=0, amount=figure, frame="base")
+    assert desk.view.lease is not None

@@ -125,6 +125,19 @@ def test_a_run_by_name_to_its_end(leased, desk, library):
     assert desk.view.lease is not None
 
 
+def test_a_run_ends_the_stream_of_its_client_as_any_motion_does(leased, desk, library):
+    for step in range(30):
+        leased.ask("stream.target", lease=leased.lease, joints_deg=[0.2 * step, *NEAR[1:]])
+    assert desk.rig.controller.jogging.streamed is not None
+    assert "result" in leased.answer(run(leased, "fine"))
+    wait(
+        leased,
+        lambda: any(
+            each.get("result", {}).get("id") == "run_done" for each in leased.told("operation")
+        ),
+    )
+
+
 def test_what_has_not_run_begins_slowly_and_is_noted(leased, desk, library):
     library.save(Trajectory("new", points=(joint(NEAR),)))
     assert "result" in leased.answer(run(leased, "new"))
