@@ -510,6 +510,24 @@ def test_a_script_that_is_interrupted_or_killed_leaves_a_halted_arm(number, reas
     assert [event.params["reason"].code for event in ended] == [reason]
 
 
+def test_an_interrupt_in_the_moment_of_the_grant_gives_it_back(with_arm, monkeypatch):
+    def act(arm):
+        ask = arm._connection.ask
+
+        def interrupted(*args, **more):
+            ask(*args, **more)
+            raise KeyboardInterrupt
+
+        with monkeypatch.context() as patch:
+            patch.setattr(arm._connection, "ask", interrupted)
+            with pytest.raises(KeyboardInterrupt):
+                arm.lease("interrupted").take()
+        with arm.lease("again") as lease:
+            return lease.held
+
+    assert with_arm(act), "held by nobody, and nobody else gets it"
+
+
 def test_an_interrupt_in_the_middle_of_a_line_does_not_swallow_the_halt(with_lease, script):
     class Torn:
         """The socket, interrupted once in the middle of what it sends."""

@@ -213,6 +213,14 @@ class Connection:
             raise lost
         return held
 
+    def give_back(self) -> None:
+        """Give the lease back that is held, if any, without waiting for the answer."""
+        with self.news:
+            held = self.heard.lease
+        if held is not None:
+            with contextlib.suppress(Disconnected):
+                self._write("lease.release", {"lease": held})
+
     def why_lost(self, lease: int | None) -> LeaseLost | None:
         """Return why a lease has ended, or ``None``."""
         with self.news:

@@ -7,7 +7,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final
 
 from armui_client.connection import ANSWER_S
-from armui_client.errors import ArmuiError
+from armui_client.errors import ArmuiError, Invalid, Refused
 
 if TYPE_CHECKING:
     from armui_client.connection import Connection
@@ -61,8 +61,15 @@ class Lease:
             "moves": self._moves,
             "max_speed_percent": self.max_speed_percent,
         }
-        granted = self._connection.ask("lease.request", wanted, self._timeout_s)
-        self.number, self.max_speed_percent = granted["lease"], granted["max_speed_percent"]
+        try:
+            granted = self._connection.ask("lease.request", wanted, self._timeout_s)
+            self.number, self.max_speed_percent = granted["lease"], granted["max_speed_percent"]
+        except (Refused, Invalid):
+            raise
+        except BaseException:
+            # interrupted in the moment of the grant, nobody would have it, and no one else get it
+            self._connection.give_back()
+            raise
         return self
 
     def release(self) -> None:
