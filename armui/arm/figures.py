@@ -68,6 +68,13 @@ class OneOf:
 
 
 @dataclass(frozen=True, slots=True)
+class Count:
+    """Marks arguments of which a method takes so many, and no others."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
 class RangeOfArm:
     """Marks a figure whose range follows from the arm at hand; the method itself checks it.
 

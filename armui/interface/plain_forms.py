@@ -23,7 +23,7 @@ from typing import (
     get_type_hints,
 )
 
-from armui.arm.figures import CommandFigure, figures_of
+from armui.arm.figures import CommandFigure, Count, figures_of
 from armui.control.motion.jog_path import MotionFrame
 from armui.control.operations.operation import Consent, Operation
 from armui.interface.messages import CallError, Code, Json
@@ -141,16 +141,18 @@ def taken(method: Callable[..., object], params: Json) -> tuple[list[object], di
     positional: list[object] = []
     named: dict[str, object] = {}
     for each, hint in parameters_of(method):
+        count = _kind(hint)[1].get(Count)
         if each.name not in left:
-            if each.default is each.empty and each.kind is not each.VAR_POSITIONAL:
+            if each.default is each.empty and (each.kind is not each.VAR_POSITIONAL or count):
                 raise CallError(Code.PARAMS, f"“{each.name}” is missing.")
             continue
         value = left.pop(each.name)
         if value is None and each.default is None:
             continue
         if each.kind is each.VAR_POSITIONAL:
-            if not isinstance(value, list):
-                raise CallError(Code.PARAMS, f"“{each.name}” must be a list.")
+            if not isinstance(value, list) or (count and len(value) != count.number):
+                many = f" of {count.number}" if count else ""
+                raise CallError(Code.PARAMS, f"“{each.name}” must be a list{many}.")
             positional += [_taken(each.name, hint, one) for one in value]
         else:
             named[each.name] = _taken(each.name, hint, value)
@@ -273,11 +275,12 @@ def takes(method: Callable[..., object], *, leased: bool) -> Json:
 
 def _param(method: Callable[..., object], each: inspect.Parameter, hint: object) -> Json:
     several = each.kind is each.VAR_POSITIONAL
-    of_one = _schema(method, each.name, hint)
+    of_one, count = _schema(method, each.name, hint), _kind(hint)[1].get(Count)
+    counts = {"minItems": count.number, "maxItems": count.number} if count else {}
     found: Json = {
         "name": each.name,
-        "required": each.default is each.empty and not several,
-        "schema": {"type": "array", "items": of_one} if several else of_one,
+        "required": each.default is each.empty and (not several or bool(count)),
+        "schema": {"type": "array", "items": of_one, **counts} if several else of_one,
     }
     if isinstance(each.default, bool | int | float | str):
         found["schema"] = {**found["schema"], "default": each.default}

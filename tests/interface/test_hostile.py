@@ -243,6 +243,9 @@ def test_a_line_or_arc_to_the_moon_costs_the_window_nothing(leased, desk):
         told = leased.refused(method, lease=leased.lease, **params)
         assert told["data"]["reason"].startswith("path_"), told
     assert time.thread_time() - began_s < 1.0, "of ten seconds and more"
+    for points in ([], [here], [here] * 4):
+        assert leased.refused("tool.arc", lease=leased.lease, points=points)["code"] == -32602
+    assert leased.refused("tool.arc", lease=leased.lease)["code"] == -32602
     for figure in (1e7, 1e308, 10**400):
         leased.refused("kinematics.fk", joints_deg=[figure] * 6)
         leased.refused("tool.step", lease=leased.lease, axis=0, amount=figure, frame="base")

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Final
 
-from armui.arm.figures import Range, RangeOfArm
+from armui.arm.figures import Count, Range, RangeOfArm
 from armui.arm.model_check import MODEL_DIFFERS, ModelFit, fitting_models
 from armui.arm.models import all_models
 from armui.arm.refusal import Reason, Refusal
@@ -270,7 +270,9 @@ class Cartesian(ControllerPart):
         shown_first=True,
         first=drop_waiting,
     )
-    def move_arc(self, started: Started, *points: Sequence[float]) -> Refusal | None:
+    def move_arc(
+        self, started: Started, *points: Annotated[Sequence[float], Count(3)]
+    ) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 
         The arm must stand at the first of them, so that it takes no unchecked path.
