@@ -36,6 +36,7 @@ class LeaseOracle:
         cut_s: When the operator, or the client by its own word, last took the arm's power.
         sped_s: When the operator last set a speed himself.
         moved: What the operator has begun although the lease stays.
+        led: The lease by which the arm was last set in motion.
     """
 
     def __init__(self, world: World) -> None:
@@ -43,6 +44,7 @@ class LeaseOracle:
         self.cut_s = -1e9
         self.sped_s = -1e9
         self.moved = ""
+        self.led: int | None = None
         self._percent = 0
         self._held_s: float | None = None
         self._ended_s = -1e9
@@ -80,12 +82,8 @@ class LeaseOracle:
             self._unheld_s = None
         else:
             yield from self._outlives(now_s)
-        if (
-            not apart
-            and lease is not None
-            and asked.lease == lease.number
-            and asked.cancelled is None
-        ):
+        its_own = lease is not None and asked.lease == self.led == lease.number
+        if its_own and not apart and asked.cancelled is None:
             yield from self._too_fast(asked, here_deg, before_deg)
 
     def _outlives(self, now_s: float) -> Iterator[Violation]:

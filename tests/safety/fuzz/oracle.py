@@ -328,6 +328,7 @@ class Oracle:
         self._ours_deg = started.goal_deg
         if started.said.after is None:  # from before anybody watched
             return []
+        self.lease.led = started.said.after.lease
         if _apart(started.goal_deg, started.here_deg) <= _SAME_DEG:
             return []  # holds it where it stands, as the way out of the MIT mode does first
         why = self._why_unasked(started)

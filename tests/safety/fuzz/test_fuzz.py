@@ -308,7 +308,8 @@ def test_the_end_of_a_lease_that_takes_the_power_is_seen(qapp, monkeypatch):
     ]
     assert promise(actions) is None
     monkeypatch.setattr(
-        ArmController, "end_motion_of", lambda controller, _: controller.motors.disable(7)
+        *(ArmController, "end_motion_of"),
+        lambda controller, _, **_how: controller.motors.disable(7),
     )
     assert promise(actions) == "S29"
 
