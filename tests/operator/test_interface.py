@@ -19,6 +19,7 @@ from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.interface.client_question import ClientQuestion, ConsentDialog, GrantDialog
 from armui.ui.interface.interface_dialog import InterfaceDialog
 from armui.ui.interface.lease_bar import LeaseBar
+from armui.ui.watch.bus.bus_page import BusPage
 from tests.interface.conftest import RawClient, until_settled
 from tests.operator.test_operator_view import item
 
@@ -386,6 +387,18 @@ def test_no_figure_of_a_client_breaks_its_question(desk, client, joint):
     client.wait(lambda: desk.open)
     desk.driver.run(0.1)
     assert desk.open
+
+
+def test_a_page_in_its_own_window_says_who_has_the_arm_and_takes_it_back(desk, client):
+    driver = desk.driver
+    driver.click("bus_button")
+    page = driver.taken_out(BusPage)
+    (bar,) = page.window().findChildren(LeaseBar)
+    assert not bar.take_back.isVisible()
+    desk.leased(client)
+    assert "has the arm" in bar.text
+    driver.click(bar.take_back)
+    assert desk.interface.view.lease is None
 
 
 # The settings -------------------------------------------------------------------------------------

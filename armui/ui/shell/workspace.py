@@ -18,6 +18,8 @@ from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.keeps_focus import restore_parent
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from PySide6.QtGui import QHideEvent, QMoveEvent, QResizeEvent
 
     from armui.control.arm_controller import ArmController
@@ -43,6 +45,7 @@ class PageWindow(ArmDialog):
         controller: Receives halt and emergency stop.
         page: The page in it.
         parent: The main window.
+        bar: What stands above the page: who moves the arm is seen where the main window is covered.
 
     Signals:
         put_back_wanted: The page shall return to the main window.
@@ -52,7 +55,9 @@ class PageWindow(ArmDialog):
     put_back_wanted = Signal()
     placed = Signal()
 
-    def __init__(self, controller: ArmController, page: Page, parent: QWidget) -> None:
+    def __init__(
+        self, controller: ArmController, page: Page, parent: QWidget, bar: QWidget
+    ) -> None:
         super().__init__(controller, parent)
         self.setObjectName(f"{page.key}_window")
         self.setWindowFlags(Qt.WindowType.Window)
@@ -64,6 +69,7 @@ class PageWindow(ArmDialog):
         self._put_back.setFixedHeight(self.stop_button.sizeHint().height())
         self._put_back.clicked.connect(self.put_back_wanted)
         self.add_to_header(self._put_back)
+        self.body.addWidget(bar)
         self.body.addWidget(page, 1)
         page.titled.connect(self._name)
         page.show()
@@ -150,10 +156,18 @@ class Workspace(QObject):
         controller: Receives the stops of the windows.
         keeper: Stores which pages were taken out, with their places.
         window: The main window.
+        bar: Makes what stands above each page in a window of its own.
     """
 
-    def __init__(self, controller: ArmController, keeper: LayoutKeeper, window: QWidget) -> None:
+    def __init__(
+        self,
+        controller: ArmController,
+        keeper: LayoutKeeper,
+        window: QWidget,
+        bar: Callable[[], QWidget],
+    ) -> None:
         super().__init__(window)
+        self._bar = bar
         self._controller = controller
         self._keeper = keeper
         self._window = window
@@ -277,7 +291,7 @@ class Workspace(QObject):
             self._homes[page].show_page(page)
 
     def _window_of(self, page: Page) -> PageWindow:
-        window = self._windows[page] = PageWindow(self._controller, page, self._window)
+        window = self._windows[page] = PageWindow(self._controller, page, self._window, self._bar())
         window.put_back_wanted.connect(partial(self.put_back, page))
         window.placed.connect(partial(self._on_placed, window, page))
         kept = self._keeper.layout.taken_out.get(page.key)
