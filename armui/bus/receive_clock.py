@@ -25,7 +25,8 @@ class ReceiveClock:
     """Gives frames their times of reception; used by the thread that reads them.
 
     No frame is dated before the moment when the queue was last found empty. Without a stamp of the
-    system all frames of a backlog get exactly that time, the earliest possible.
+    system all frames of a backlog get exactly that time, the earliest possible. None is dated
+    before one that was read earlier.
 
     Args:
         clock: The program's clock in seconds.
@@ -43,7 +44,7 @@ class ReceiveClock:
         self._clock = clock
         self._stamped = stamped
         self._time_of_day = time_of_day
-        self._empty_s = clock()
+        self._empty_s = self._last_s = clock()
         self._behind = False
 
     def begin(self) -> None:
@@ -62,8 +63,11 @@ class ReceiveClock:
             stamp_s: The time stamp of the back-end.
             now_s: The time at which the frame was read.
         """
+        received_s = self._empty_s if self._behind else now_s
         if self._stamped:
             age_s = self._time_of_day() - stamp_s
             if age_s >= -_EARLY_S:
-                return min(max(self._clock() - age_s, self._empty_s), now_s)
-        return self._empty_s if self._behind else now_s
+                received_s = max(self._clock() - age_s, self._empty_s)
+        # A backlog may show only after some of its frames were read, and taken as new.
+        self._last_s = min(max(received_s, self._last_s), now_s)
+        return self._last_s

@@ -250,8 +250,8 @@ class BusWorker(QThread):
             self.reported.emit(BusReport(state, self._device, problem, self._number))
 
     def _receive_burst(self, bus: can.BusABC) -> None:
-        self._received.begin()
         message = bus.recv(_RECEIVE_S)
+        self._received.begin()  # after so short a wait: a longer one was a thread held up in it
         now_s = self._clock()
         taken = 0
         while message is not None:

@@ -88,3 +88,17 @@ def test_a_short_pause_makes_no_backlog(bare):
     bare.go_on(0.04)
     bare.received.begin()
     assert bare.read() == bare.now_s
+
+
+def test_no_frame_is_dated_before_one_that_was_read_earlier(bare, stamped):
+    """A queue that is not empty for long is a backlog only after its first frames were read."""
+    bare.go_on(0.04)
+    bare.received.begin()
+    first_s = bare.read()
+    bare.go_on(0.02)
+    bare.received.begin()
+    assert bare.read() == first_s == 1000.04
+    stamped.go_on(0.04)
+    assert stamped.read(DAY_S + 0.03) == pytest.approx(1000.03)
+    stamped.day_s += 0.02  # the time of day is set forward
+    assert stamped.read(DAY_S + 0.035) == pytest.approx(1000.03)

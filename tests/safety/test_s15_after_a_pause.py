@@ -24,9 +24,10 @@ class StalledBus(VirtualBus):
     def __init__(self, frames):
         super().__init__("stalled")
         self.frames = frames
-        self.stalled = False
+        self.stall = lambda: None
 
     def recv(self, timeout=None):
+        self.stall()
         return self.frames.pop(0) if self.frames else None
 
     def send(self, msg, timeout=None):
@@ -59,8 +60,12 @@ def test_frames_of_a_backlog_are_not_dated_now(qapp, clock):
     worker._receive_burst(bus)
     worker._processor.publish()
     assert worker.state.last_feedback_s == 1003.0
-    bus.shutdown()
     assert worker.state.silences == 1
+    bus.frames, bus.stall = [ANGLES] * 3, lambda: clock.append(clock.pop() + 0.2)
+    worker._receive_burst(bus)  # held up while it waits: that is no time of theirs either
+    worker._processor.publish()
+    assert worker.state.last_feedback_s == 1003.0
+    bus.shutdown()
 
 
 def test_after_a_sleep_nothing_of_before_goes_on(any_rig):

@@ -73,8 +73,14 @@ class SampleStore:
         return len(self._full) * _CHUNK + self._used
 
     def extend(self, samples: Sequence[Sample]) -> None:
-        """Append samples; the time of the first one becomes 0."""
+        """Append samples; the time of the first one becomes 0.
+
+        A sample that is dated before the last one is left out, so that all that is kept can be
+        saved.
+        """
         for sample in samples:
+            if len(self) and sample.at_s - self._start_s < self.duration_s:
+                continue
             if not len(self):
                 self._start_s = sample.at_s
             elif self._used == _CHUNK:
