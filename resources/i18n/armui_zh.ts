@@ -16226,6 +16226,10 @@ Before: {before}</source>
         <translation>机械臂在运动（手拖动或自重）：{seconds} 秒内 J{joint} 转动 {turned}°，下降 {down} mm，当前 {speed} mm/s。</translation>
     </message>
     <message>
+        <source>The arm moves by itself along its taught path, or to its start: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>机械臂正在自行沿示教轨迹运动，或前往其起点：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
         <source>The arm still moves: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
         <translation>机械臂仍在运动：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
     </message>

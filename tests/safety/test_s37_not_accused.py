@@ -65,6 +65,31 @@ def test_a_hand_that_leads_it_down_is_a_hand(rig):
     assert not told(rig)
 
 
+def test_its_own_way_to_the_start_of_what_it_was_taught_is_its_own(rig):
+    bend(rig)
+    teach = rig.controller.teaching.command
+    accepted(teach(TeachingState.START_RECORDING))
+    rig.run(0.5)
+    rig.firmware.hand_guiding.lead_to(LOWER_DEG, speed_deg_s=20.0)
+    rig.run(3.0)
+    accepted(teach(TeachingState.STOP_RECORDING))
+    rig.run(1.0)
+    accepted(teach(TeachingState.MOVE_TO_START))
+    rig.run(0.5)
+    motion = rig.controller.operating_state.uncommanded
+    assert motion.is_danger
+    assert words.step(rig.controller.recovery.step).startswith(
+        "The arm moves by itself along its taught path, or to its start: "
+    )
+    accepted(teach(TeachingState.ABORT))  # it still comes to rest then
+    causes = set()
+    for _ in range(90):
+        rig.step()
+        shown = rig.controller.operating_state.uncommanded
+        causes.add(shown and shown.cause)
+    assert causes == {Unheld.OWN_REPLAY, None}
+
+
 # What arrives late -------------------------------------------------------------------------------
 
 
@@ -163,7 +188,7 @@ def test_old_angles_that_come_again_and_again_move_nothing():
     feed = Feed()
     feed.turn(0.0)
     heard_s = feed.now_s
-    for _ in range(30):
+    for _ in range(90):
         feed.now_s += 0.01
         feed.hear(feed.joint_deg + 1.0, at_s=heard_s)
         assert feed.kind is None

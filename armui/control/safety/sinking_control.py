@@ -90,7 +90,9 @@ FURTHER_S: Final = 2.0
 """A further distance is told when it is this long, and not more often than that."""
 
 _LOOKED_BELOW_S: Final = 1.0
-_UNTOLD: Final = frozenset({Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.LED})
+_UNTOLD: Final = frozenset(
+    {Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.OWN_REPLAY, Unheld.LED}
+)
 """Where the event of the stop says it, or a hand may lead: shown, and no event."""
 _OWN_WAY: Final = frozenset({TeachingPhase.REPLAYING, TeachingPhase.PAUSED})
 
@@ -186,7 +188,7 @@ class SinkingControl(ControllerPart):
             return Unheld.MOTORS_OFF, off
         if in_drag_teaching(state):
             self._expects_motion = True
-            return (Unheld.LED if _is_led(status) else Unheld.DRAG_TEACHING), ALL_JOINTS
+            return self._cause_in_drag(status), ALL_JOINTS
         if now.stop is StopState.REQUESTED and not now.stop_lapsed:
             return Unheld.STOP_AWAITED, ALL_JOINTS
         told = authority.other.drives or authority.under_way or bool(authority.holds)
@@ -198,6 +200,13 @@ class SinkingControl(ControllerPart):
         untold = authority.cancel_unheeded or not self._expects_motion
         powered = all(now.enabled)
         return (Unheld.NOT_TOLD if untold and powered else None), ALL_JOINTS
+
+    def _cause_in_drag(self, status: Status | None) -> Unheld:
+        if _is_led(status):
+            return Unheld.LED
+        replays = status is not None and phase_of(status) is TeachingPhase.REPLAYING
+        coasts = self.motion is not None and self.motion.cause is Unheld.OWN_REPLAY
+        return Unheld.OWN_REPLAY if replays or coasts else Unheld.DRAG_TEACHING
 
     # What is measured -------------------------------------------------------------------------
 

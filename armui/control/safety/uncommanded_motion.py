@@ -19,6 +19,8 @@ class Unheld(enum.Enum):
     """Motors have no power: disabled, after a resume, or by a fault."""
     DRAG_TEACHING = "drag_teaching"
     """In drag teaching, where nobody is known to lead it."""
+    OWN_REPLAY = "own_replay"
+    """In drag teaching it follows its taught path, or goes to its start, until it rests."""
     LED = "led"
     """In drag teaching it records, or it is a teaching input: a hand leads it."""
     NOT_TOLD = "not_told"

@@ -21,6 +21,8 @@ _SENTENCES: Final = Texts("UncommandedMotion") | {
     "at {speed} mm/s.",
     "in_drag": "The arm moves, by a hand or its own weight: J{joint} by {turned}° in {seconds} s, "
     "{down} mm lower, now at {speed} mm/s.",
+    "own_replay": "The arm moves by itself along its taught path, or to its start: J{joint} by "
+    "{turned}° in {seconds} s, now at {speed} mm/s.",
     "unstopped": "The arm still moves: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.",
     "led": "The arm is moved by hand, at {speed} mm/s.",
     "unheard": "The arm may be moving: it was last heard {ago} ago.",
@@ -44,6 +46,7 @@ _AGO: Final = Texts("UncommandedMotion") | {"s": "{count} s", "min": "{count} mi
 _OF_CAUSE: Final = {
     Unheld.NOT_TOLD: "untold",
     Unheld.DRAG_TEACHING: "in_drag",
+    Unheld.OWN_REPLAY: "own_replay",
     Unheld.STOP_AWAITED: "unstopped",
 }
 _MINUTE_S: Final = 60
