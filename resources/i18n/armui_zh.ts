@@ -7806,6 +7806,10 @@ at 100 %</source>
         <translation>已删除：{names}</translation>
     </message>
     <message>
+        <source>“{name}” ended after {done} of the recording. {reason}</source>
+        <translation>“{name}”在录制的 {done} 处结束。{reason}</translation>
+    </message>
+    <message>
         <source>Name of the trajectory</source>
         <translation>轨迹名称</translation>
     </message>
@@ -13958,6 +13962,10 @@ The other program must have ended.</source>
     <message>
         <source>paused: hold “Continue” for 1 s</source>
         <translation>已暂停：按住“继续”1 秒</translation>
+    </message>
+    <message>
+        <source>{done} of the recording</source>
+        <translation>已运行录制的 {done}</translation>
     </message>
     <message>
         <source>waiting: press “Next step”</source>

@@ -12,6 +12,7 @@ from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
 from armui.trajectory.samples.recording import Recording
+from armui.ui import format as fmt
 from armui.ui.dialogs.confirm_dialog import LeaveQuestion, SaveQuestion
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.recording.recorded_curves import drawn_curves
@@ -297,9 +298,17 @@ def test_a_recording_is_replayed_from_the_list(operator):
     assert app_driver.controller.replayer.running, operator.list.findChild(
         QWidget, "library_message"
     ).text()
+    assert app_driver.read("run_text").startswith("0 % of the recording · ")  # on the way to it
+    replayer = app_driver.controller.replayer
+    app_driver.run_until(lambda: replayer.progress.done > 0.3)
     app_driver.run(0.2)
+    done = fmt.percent(100 * replayer.progress.done)
+    assert app_driver.read("run_text").startswith(f"{done} of the recording · ")
     app_driver.click("run_stop")
-    app_driver.run_until(lambda: not app_driver.controller.replayer.running)
+    app_driver.run_until(lambda: not replayer.running)
+    done = fmt.percent(100 * replayer.progress.done)
+    told = operator.list.findChild(QWidget, "library_message").text()
+    assert told == f"“Recording” ended after {done} of the recording."
 
 
 def test_a_recording_is_seen_while_another_panel_is_shown(app_driver):

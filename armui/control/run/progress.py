@@ -82,7 +82,7 @@ class Progress:
         phase: The phase.
         name: The name of the trajectory.
         index: The point under way, from 0; the one it ended at, once it has ended.
-        count: The number of points in a cycle.
+        count: The number of points in a cycle; 0 for a recording, which is no run of points.
         cycle, cycles: The cycle, from 1, and the number of cycles, 0 for endless.
         done: The share of the cycle that is done, 0–1.
         remaining_s: The time left of the whole run at the present speed; ``None`` if it has no

@@ -476,7 +476,6 @@ class Replayer(Execution):
         return Progress(
             phase=self._phase,
             name=replay.recording.name,
-            count=len(replay.recording.samples),
             cycle=self._cycle,
             cycles=replay.cycles,
             done=done,

@@ -99,5 +99,5 @@ def can_pause(progress: Progress) -> bool:
 
 
 def ended_early(progress: Progress) -> bool:
-    """Return whether a run of points ended before its end, so that it can be continued."""
-    return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE} and progress.count > 0
+    """Return whether a run ended before its end; one of points can be continued."""
+    return progress.phase in OVER - {RunPhase.IDLE, RunPhase.DONE}

@@ -30,6 +30,7 @@ from armui.trajectory.library.store import (
     free_name,
 )
 from armui.trajectory.points.program import Trajectory, check_name
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import HasActs
 from armui.ui.actions.command import Command, Target
@@ -497,9 +498,13 @@ class LibraryPage(Page):
 
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress):
-            text = self.tr("“{name}” ended at row {row}. {reason}").format(
-                name=progress.name, row=progress.index + 1, reason=words.why_not(progress.refusal)
-            )
+            if progress.count:
+                text = self.tr("“{name}” ended at row {row}. {reason}")
+            else:
+                text = self.tr("“{name}” ended after {done} of the recording. {reason}")
+            figures = {"row": progress.index + 1, "done": fmt.percent(100.0 * progress.done)}
+            reason = words.why_not(progress.refusal)
+            text = text.format(name=progress.name, reason=reason, **figures)
             self._say(text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT)
             self._tells_end = True
         elif self._tells_end:
