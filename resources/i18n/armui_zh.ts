@@ -1847,6 +1847,14 @@
         <translation>第 {columns} 列的单位可能是 {units}：请选择。</translation>
     </message>
     <message>
+        <source>Columns {columns} may be another robot&apos;s, or in another unit: convert those to degrees first. If they are degrees, say so.</source>
+        <translation>第 {columns} 列可能来自其他机器人，或为其他单位：请先换算为度。若确实是度，请予以确认。</translation>
+    </message>
+    <message>
+        <source>Column {number} holds {value}; {joint} turns from {low} to {high}.</source>
+        <translation>第 {number} 列中有 {value}，而 {joint} 的转动范围为 {low} 至 {high}。</translation>
+    </message>
+    <message>
         <source>Or choose “{choice}” under “{becomes}”: the columns suffice for that.</source>
         <translation>或把“{becomes}”改为“{choice}”：现有的列已足够。</translation>
     </message>

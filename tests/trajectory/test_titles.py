@@ -124,11 +124,12 @@ NORMALISED = (1.2, -88.1, 96.0, 0.2, 10.1, 0.0)
     ("titles", "figures", "asked"),
     [
         ([f"j{n}" for n in SIX], RAD, ("rad", "°")),
-        ([f"joint{n}" for n in SIX], (0.1, -1.6, 1.2, 0, 0, 0), ("°",)),  # in no unit of the arm
-        ([f"joint{n}" for n in SIX], NORMALISED, ("°",)),
-        ([f"joint{n}.pos" for n in SIX], (1, 20, -30, 4, 5, 6.5), ("°",)),  # LeRobot's own
+        ([f"joint{n}" for n in SIX], (0.1, -1.6, 1.2, 0, 0, 0), ("°", "%")),  # in no unit of it
+        ([f"joint{n}" for n in SIX], NORMALISED, ("°", "%")),
+        ([f"joint{n}.pos" for n in SIX], (1, 20, -30, 4, 5, 6.5), ("°", "%")),  # LeRobot's own
+        ([f"joint{n}" for n in SIX], (10, 250, -60, -140, 20, 30), ("°",)),
         ([f"norm_joint{n}" for n in SIX], (0.1, 0.6, -0.7, 0, 0, 0), ("rad", "°")),
-        ([f"action_{n}" for n in range(6)], (1, 20, -30, 4, 5, 6.5), ("°",)),
+        ([f"action_{n}" for n in range(6)], (1, 20, -30, 4, 5, 6.5), ("°", "%")),
         ([f"joint{n}" for n in SIX], [10 * a for a in DEG], ("0.1°", "mrad", "0.001°")),
         ([f"j{n}" for n in SIX], [1000 * a for a in RAD], ("0.1°", "mrad", "0.001°")),
         ([f"j{n}" for n in SIX], [1000 * a for a in DEG], ()),

@@ -5,7 +5,7 @@ of the columns, which gives a `ColumnMapping`; `apply` reads the whole text by i
 """
 
 from armui.trajectory.columns.apply import apply, check_mapping
-from armui.trajectory.columns.guess import likely_unit, units_in_doubt
+from armui.trajectory.columns.guess import farthest, likely_unit, units_in_doubt
 from armui.trajectory.columns.model import (
     UNITS,
     ColumnMapping,
@@ -40,6 +40,7 @@ __all__ = [
     "TableFile",
     "apply",
     "check_mapping",
+    "farthest",
     "likely_unit",
     "look_closer",
     "open_table",

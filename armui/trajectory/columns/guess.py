@@ -174,8 +174,8 @@ def _custom(
 def units_in_doubt(angles: Sequence[tuple[ColumnQuantity, Guess]]) -> tuple[str, ...]:
     """Return among which units only the operator can choose; none where titles or figures tell.
 
-    One unit alone is returned where figures would not fit the joints' range in it, or may be
-    normalised to each joint's range.
+    Degrees come first where figures would not fit the joints' range in them, or may be normalised
+    to each joint's range; "%" beside them says that they may be, as none lies outside ±100.
 
     Args:
         angles: Angles of one kind of which no title tells the unit.
@@ -198,9 +198,22 @@ def units_in_doubt(angles: Sequence[tuple[ColumnQuantity, Guess]]) -> tuple[str,
         return ()
     if largest <= _FULL_TURN_DEG:
         is_normalised = largest <= _FULL_TURN_RAD or ("%" in custom and largest <= _NORMAL)
-        return ("°",) if is_normalised or "°" not in fitting else ()
+        if is_normalised or "°" not in fitting:
+            return ("°", "%") if largest <= _NORMAL else ("°",)
+        return ()
     likely = tuple(unit for unit in fitting if unit not in {"rad", "°"})
     return () if len(likely) == 1 else likely or ("°",)
+
+
+def farthest(quantity: ColumnQuantity, guess: Guess) -> tuple[float, float, float, float]:
+    """Return the figure of a joint's column that lies farthest beyond the joint's range.
+
+    Returns:
+        How far it lies beyond, below 0 within; the figure; and the least and the greatest angle of
+        the joint in any model of the family. All are in degrees, as if the column were.
+    """
+    low, high = widest_ranges_deg()[JOINTS.index(quantity)]
+    return max((max(low - v, v - high), v, low, high) for v in _numbers(guess.figures) or [low])
 
 
 def _fits(

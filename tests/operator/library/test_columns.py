@@ -393,13 +393,25 @@ def test_normalised_figures_are_not_taken_for_degrees_unless_somebody_says_so(op
     rows = "".join(f"{k},{k},1.2,-88.1,96.0,0.2,10.1,{k}\n" for k in range(3))
     operator.open(run=f"timestamp,step,{titles}\n{rows}")
     assert operator.columns()[:3] == ["Time s", "-", "J1 °"]
-    assert operator.message().startswith("Columns 3, 4, 5, 6, 7, 8 may be normalised figures")
+    assert operator.message().startswith(
+        "Column 5 holds 96°; J3 turns from -170° to 0°. "
+        "Columns 3, 4, 5, 6, 7, 8 may be normalised figures"
+    )
     assert not operator.child("import").isEnabled()
     assert not operator.child("radians").isVisible()
     operator.app_driver.click(operator.child("degrees"))
     assert operator.message() == ""
     operator.take()
     assert operator.library.load("run").joints_deg[0, 1] == -88.1
+
+
+def test_what_no_joint_can_come_to_is_named_and_beyond_100_not_called_normalised(operator):
+    operator.open(run="j1,j2,j3,j4,j5,j6\n" + "10,250,-60,-140,20,30\n10,60,-60,-20,20,30\n" * 2)
+    assert operator.message().startswith(
+        "Column 2 holds 250°; J2 turns from 0° to 180°. Columns 1, 2, 3, 4, 5, 6 may be another"
+    )
+    assert "normalised" not in operator.message()
+    assert operator.child("degrees").isVisible()
 
 
 def test_integers_are_read_in_the_unit_that_fits_or_asked_for(operator):

@@ -289,14 +289,32 @@ class ColumnsPage(Page):
             return ""
         if units == ("rad", "°"):
             text = self.tr("Columns {columns} may be radians or degrees: choose which.")
-        elif units == ("°",):
-            text = self.tr(
+        elif units == ("°", "%"):
+            text = self._beyond(asked) + self.tr(
                 "Columns {columns} may be normalised figures (−100 to 100), or another robot's: "
                 "convert those to degrees first. If they are degrees, say so."
+            )
+        elif units == ("°",):
+            text = self._beyond(asked) + self.tr(
+                "Columns {columns} may be another robot's, or in another unit: convert those to "
+                "degrees first. If they are degrees, say so."
             )
         else:
             text = self.tr("Columns {columns} may be in {units}: choose which.")
         return text.format(columns=", ".join(map(str, asked)), units=", ".join(units))
+
+    def _beyond(self, numbers: Sequence[int]) -> str:
+        """Name the figure that lies farthest beyond its joint's range, if it is in degrees."""
+        asked = [(each, self.mapping.columns[each - 1]) for each in numbers]
+        by_deg, *figures, number, joint = max(
+            (*columns.farthest(column.quantity, self._file.sheet.guesses[number - 1]), number,
+             column.quantity)
+            for number, column in asked if column
+        )  # fmt: skip
+        value, low, high = map(fmt.short_angle, figures)
+        text = self.tr("Column {number} holds {value}; {joint} turns from {low} to {high}.") + " "
+        told = text.format(number=number, joint=joint, value=value, low=low, high=high)
+        return told if by_deg > 0.0 else ""
 
     def _other_way(self) -> str:
         """Return what else it can become."""
