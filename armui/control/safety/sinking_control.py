@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
 from armui.control.context import ControllerPart
-from armui.control.devices.teaching_phase import TeachingPhase, phase_of
+from armui.control.devices.teaching_phase import TeachingPhase, is_own_replay, phase_of
 from armui.control.events import Notice
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import Busy, StopState
@@ -93,8 +93,7 @@ _LOOKED_BELOW_S: Final = 1.0
 _UNTOLD: Final = frozenset(
     {Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.OWN_REPLAY, Unheld.LED}
 )
-"""Where the event of the stop says it, or a hand may lead: shown, and no event."""
-_OWN_WAY: Final = frozenset({TeachingPhase.REPLAYING, TeachingPhase.PAUSED})
+"""Where the event of the stop or the replay says it, or a hand may lead: shown, and no event."""
 
 
 class SinkingControl(ControllerPart):
@@ -188,11 +187,14 @@ class SinkingControl(ControllerPart):
             return Unheld.MOTORS_OFF, off
         if in_drag_teaching(state):
             self._expects_motion = True
-            return self._cause_in_drag(status), ALL_JOINTS
+            replays = status is not None and phase_of(status) is TeachingPhase.REPLAYING
+            coasts = self.motion is not None and self.motion.cause is Unheld.OWN_REPLAY
+            own = Unheld.OWN_REPLAY if replays or coasts else Unheld.DRAG_TEACHING
+            return (Unheld.LED if _is_led(status) else own), ALL_JOINTS
         if now.stop is StopState.REQUESTED and not now.stop_lapsed:
             return Unheld.STOP_AWAITED, ALL_JOINTS
         told = authority.other.drives or authority.under_way or bool(authority.holds)
-        replays = status is not None and phase_of(status) in _OWN_WAY
+        replays = status is not None and is_own_replay(status)
         if told or replays or authority.is_ending:
             self._expects_motion = True
         elif authority.at_rest:
@@ -200,13 +202,6 @@ class SinkingControl(ControllerPart):
         untold = authority.cancel_unheeded or not self._expects_motion
         powered = all(now.enabled)
         return (Unheld.NOT_TOLD if untold and powered else None), ALL_JOINTS
-
-    def _cause_in_drag(self, status: Status | None) -> Unheld:
-        if _is_led(status):
-            return Unheld.LED
-        replays = status is not None and phase_of(status) is TeachingPhase.REPLAYING
-        coasts = self.motion is not None and self.motion.cause is Unheld.OWN_REPLAY
-        return Unheld.OWN_REPLAY if replays or coasts else Unheld.DRAG_TEACHING
 
     # What is measured -------------------------------------------------------------------------
 

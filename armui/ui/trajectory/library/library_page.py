@@ -498,13 +498,12 @@ class LibraryPage(Page):
 
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress):
+            text = self.tr("“{name}” ended after {done} of the recording. {reason}")
             if progress.count:
                 text = self.tr("“{name}” ended at row {row}. {reason}")
-            else:
-                text = self.tr("“{name}” ended after {done} of the recording. {reason}")
-            figures = {"row": progress.index + 1, "done": fmt.percent(100.0 * progress.done)}
+            row, done = progress.index + 1, fmt.percent(100.0 * progress.done)
             reason = words.why_not(progress.refusal)
-            text = text.format(name=progress.name, reason=reason, **figures)
+            text = text.format(name=progress.name, row=row, done=done, reason=reason)
             self._say(text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT)
             self._tells_end = True
         elif self._tells_end:

@@ -218,12 +218,11 @@ class RunStrip(HasActs, Translated, QWidget):
             return ""
         if self._beside:
             return self._phase_word(progress)
+        place = self.tr("{done} of the recording")
         if progress.count:
             place = self.tr("point {row} of {count}")
-            parts = [place.format(row=progress.index + 1, count=progress.count)]
-        else:
-            place = self.tr("{done} of the recording")
-            parts = [place.format(done=fmt.percent(100.0 * progress.done))]
+        done = fmt.percent(100.0 * progress.done)
+        parts = [place.format(row=progress.index + 1, count=progress.count, done=done)]
         if progress.cycles != 1:
             total = "∞" if progress.cycles == ENDLESS else progress.cycles
             text = self.tr("cycle {cycle} of {cycles}")
