@@ -88,6 +88,7 @@ def test_options_left_out() -> None:
         "api_on": False,
         "grant": False,
         "socket": None,
+        "trajectories": None,
         "model": PiperModel.PIPER,
     }
 

@@ -72,6 +72,7 @@ class FakeController(QObject):
         self.events = EventLog()
         self.event_collector = FakeHappenings(self.events)
         self.sessions = FakeSessions()
+        self.episodes = FakeEpisodes()
 
     @property
     def as_real(self) -> ArmController:
@@ -453,6 +454,21 @@ class FakeGripper:
 
     def move(self, travel: float, effort: float) -> Refusal | None:
         return self._controller._asked("move_gripper", travel, effort)
+
+
+class FakeEpisodes(QObject):
+    """Marks nothing."""
+
+    changed = Signal()
+    under_way = None
+    kept = 0
+    task = ""
+
+    def mark(self) -> None:
+        return None
+
+    def discard(self) -> None:
+        return None
 
 
 class FakeSessions(QObject):
