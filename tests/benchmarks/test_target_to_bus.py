@@ -107,7 +107,7 @@ def test_target_to_bus(qapp, tmp_path, capsys, benchmark, load):
                 found = measured(process, sent_s)
         finally:
             process.kill()
-            process.wait()
+            process.communicate()  # closes its pipes, too
             interface.end()
     on_bus_s = np.sort(sent_s)
     firsts_s = on_bus_s[np.searchsorted(on_bus_s, found["said_s"])]
