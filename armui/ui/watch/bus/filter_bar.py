@@ -18,7 +18,7 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words import frames
 
 _IDS_PX: Final = 140
-_TEXT_PX: Final = 200
+_TEXT_PX: Final = 140
 _BOLDER: Final = 1.15
 
 
