@@ -69,14 +69,16 @@ def main() -> None:
         stream = begin(arm)
         print("ready", flush=True)
         sys.stdin.readline()
+        away_deg = 0.0
         while len(said_s) < int(sys.argv[3]):
             time.sleep(chance.uniform(*PAUSE_S))
+            away_deg = STEP_DEG - away_deg  # the target that is reached already sends nothing
             began_s = time.time()
             try:
-                stream.target((START_DEG[0] + STEP_DEG * (len(said_s) % 2), *START_DEG[1:]))
+                stream.target((START_DEG[0] + away_deg, *START_DEG[1:]))
             except armui_client.ArmuiError as error:
                 losses.append(str(error))
-                stream = begin(arm)
+                stream, away_deg = begin(arm), 0.0
                 continue
             said_s.append(began_s)
             began_s = time.time()
@@ -86,6 +88,7 @@ def main() -> None:
             echo_s.append(over_s - began_s)
             began_s, there_s, _ = relay(b"frame")
             relayed_s.append(there_s - began_s)
+        time.sleep(max(PAUSE_S))  # the last target is on its way, too
     found = {"said_s": said_s, "ping_s": ping_s, "echo_s": echo_s, "relayed_s": relayed_s}
     print(json.dumps(found | {"losses": losses}), flush=True)
 
