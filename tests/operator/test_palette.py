@@ -9,6 +9,7 @@ from armui.control.safety.recovery_steps import StepKind
 from armui.ui.actions.command import while_editing
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
+from armui.ui.actions.palette_items import nothing_to_do
 from armui.ui.actions.search import rank
 from armui.ui.actions.shortcut_list import ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -178,6 +179,14 @@ def test_what_cannot_be_done_says_why_and_is_not_done(app_driver):
     assert palette.isVisible()
     assert palette.findChild(object, "palette_message").text() == first.reason
     assert len(app_driver.codes()) == sent
+
+
+def test_what_a_button_is_for_is_no_reason_against_it(app_driver):
+    app_driver.click("plots_button")
+    undo = next(each for each in palette_items(app_driver) if each.command.name == "plots.undo")
+    assert undo.target.toolTip()
+    assert not undo.target.isEnabled()
+    assert undo.reason == nothing_to_do()
 
 
 def test_reasons_go_with_the_arm_while_the_palette_is_open(app_driver):

@@ -158,12 +158,6 @@ def new_action(parent: QObject, act: Callable[[], object]) -> QAction:
     return action
 
 
-def allow(action: QAction, reason: str) -> None:
-    """Enable an action, or disable it with the reason in its tooltip."""
-    action.setEnabled(not reason)
-    action.setToolTip(reason)
-
-
 def of_place(place: str, commands: Iterable[Command]) -> tuple[Command, ...]:
     """Return the commands of a part that exists in several places, named for one of them.
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QAbstractButton, QWidget
 from armui.ui.actions.act import BoundAct, HasActs
 from armui.ui.actions.command import Command, CommandSource, Target
 from armui.ui.actions.operator_view import why_taken
+from armui.ui.widgets.buttons import reason_against
 from armui.ui.widgets.hold_button import HoldButton
 
 if TYPE_CHECKING:
@@ -140,8 +141,7 @@ def nothing_to_do() -> str:
 def _why_off(target: Target | None) -> str:
     if target is None or target.isEnabled():
         return ""
-    name = target.text() if isinstance(target, QAction) else target.accessibleName()
-    return target.toolTip() or name
+    return reason_against(target) or nothing_to_do()
 
 
 def use(widget: QWidget) -> None:

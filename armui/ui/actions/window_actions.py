@@ -14,7 +14,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.run.speed_override import STEP_PERCENT
 from armui.control.safety.recovery_steps import Action, StepKind
-from armui.ui.actions.command import Command, CommandSource, Target, allow, also, new_action
+from armui.ui.actions.command import Command, CommandSource, Target, also, new_action
 from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import Callback, PaletteItems, lead_to, use
@@ -24,7 +24,7 @@ from armui.ui.shell.pages import PAGES
 from armui.ui.theme import colors_of
 from armui.ui.translation import shown_language
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import caption
+from armui.ui.widgets.buttons import caption, enable_or_explain, reason_against
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
@@ -229,8 +229,8 @@ class WindowActions(QObject):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each of its commands, by the command's name."""
-        allow(self._next_step, self._why_no_step())
-        allow(self._lock, self._why_no_lock())
+        enable_or_explain(self._next_step, self._why_no_step())
+        enable_or_explain(self._lock, self._why_no_lock())
         button, now = self._recovery.step_button, self._controller.recovery.step.action
         held = {name for name, action in _HELD_IN_THE_LINE.items() if action is now}
         return self._targets if button is None else {**self._targets, **dict.fromkeys(held, button)}
@@ -289,7 +289,7 @@ class WindowActions(QObject):
         button = self._step_button()
         if button is None:
             return self.tr("There is no next step now.")
-        return "" if button.isEnabled() else button.toolTip()
+        return reason_against(button)
 
     def _why_no_lock(self) -> str:
         open_editor = self._pages.existing("editor") is not None

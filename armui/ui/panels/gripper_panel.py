@@ -206,9 +206,8 @@ class GripperRow(QWidget):
             (self.minus, self.tr("Closes the gripper by {step} at once. Hold to go on.")),
             (self.plus, self.tr("Opens the gripper by {step} at once. Hold to go on.")),
         ):
-            button.setEnabled(not why_not)
             step = f"{self._figure.step:g} {self._figure.unit}"
-            button.setToolTip(why_not or tip.format(step=step))
+            enable_or_explain(button, why_not, tip.format(step=step))
 
     def _on_field_edited(self) -> None:
         self._after_change()

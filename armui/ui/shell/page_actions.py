@@ -12,11 +12,11 @@ from armui.ui.actions.command import (
     Command,
     CommandSource,
     Target,
-    allow,
     new_action,
     source_of,
 )
 from armui.ui.shell.pages import PAGES
+from armui.ui.widgets.buttons import enable_or_explain
 from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
 
@@ -74,9 +74,9 @@ class PageActions(QObject):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the actions that take pages out, put them back, and close the drawer."""
         for key in _MOVABLE:
-            allow(self._actions[f"{key}.take_out"], self._why_no_take_out(key))
-            allow(self._actions[f"{key}.put_back"], self._why_no_put_back(key))
-        allow(self._actions["drawer.fold"], self._why_no_fold())
+            enable_or_explain(self._actions[f"{key}.take_out"], self._why_no_take_out(key))
+            enable_or_explain(self._actions[f"{key}.put_back"], self._why_no_put_back(key))
+        enable_or_explain(self._actions["drawer.fold"], self._why_no_fold())
         return self._actions
 
     def sources(self) -> list[CommandSource]:

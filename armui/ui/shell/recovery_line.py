@@ -17,7 +17,7 @@ from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
-from armui.ui.widgets.buttons import named, show_primary
+from armui.ui.widgets.buttons import enable_or_explain, named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import text_label
@@ -264,7 +264,7 @@ class RecoveryLine(Translated, QWidget):
         self._button.setSizePolicy(policy)
         self._button.setVisible(action is not None and not step.held)
         self._hold_button.setVisible(action is not None and step.held)
-        button.setEnabled(not step.waiting and blocked is None)
+        waiting = self.tr("Waiting for the arm") if step.waiting else ""
         button.setAccessibleName(self.tr("Next step"))
         if action is not None:
             label = self.tr("Waiting…") if step.waiting else words.step_action(action)
@@ -272,8 +272,7 @@ class RecoveryLine(Translated, QWidget):
             button.setAccessibleName(label)
             use = words.step_danger(action) if step.dangerous else words.step(step)
             use = f"{use}{self._below()}"
-            use = use if blocked is None else words.refusal(blocked)
-            button.setToolTip(self.tr("Waiting for the arm") if step.waiting else use)
+            enable_or_explain(button, waiting or words.why_not(blocked), use)
         self._other_button.setVisible(step.alternative is not None)
         self._hold_button.setAccessibleName(self.tr("Next step"))
         self._other_button.setAccessibleName(self.tr("Another way"))

@@ -29,7 +29,7 @@ from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.freshness import is_stale
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import describe, named
+from armui.ui.widgets.buttons import describe, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
@@ -571,18 +571,15 @@ class TopBar(Translated, QWidget):
     def _describe_enable(self, operating_state: OperatingState) -> None:
         off = self._enable.turns_off
         blocked = (why_not_disable if off else why_not_enable)(operating_state)
-        self._enable.setEnabled(blocked is None)
-        if blocked is not None:
-            tip = words.refusal(blocked)
-        elif off:
-            tip = self.tr("Disables all six motors: the arm will drop, so hold it first.")
-        else:
-            tip = self.tr("Enables all six motors.")
+        drops = self.tr("Disables all six motors: the arm will drop, so hold it first.")
+        use = drops if off else self.tr("Enables all six motors.")
+        enable_or_explain(self._enable, words.why_not(blocked), use)
         faults = [
             f"J{joint}  {words.joint_item(item)} {words.joint_word(word)}"
             for joint, item, word in self._monitor.faults
         ]
-        self._enable.setToolTip("\n".join([*faults, tip]))
+        if faults:
+            self._enable.setToolTip("\n".join([*faults, self._enable.toolTip()]))
 
     def _on_enable(self) -> None:
         if not self._enable.turns_off:

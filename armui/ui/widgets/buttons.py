@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from typing import Final, TypeVar
 
 from PySide6.QtCore import QObject, Qt, QTimer
-from PySide6.QtGui import QCursor, QKeySequence
+from PySide6.QtGui import QAction, QCursor, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
     QComboBox,
@@ -20,25 +20,33 @@ from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.painting import repolish
 
 Named = TypeVar("Named", bound=QObject)
+_REASON: Final = "reason"
+"""The property that keeps the reason against what cannot be used."""
 
 
 def enable_or_explain(
-    button: QAbstractButton, reason: str, use: str = "", *, key: str = ""
+    target: QWidget | QAction, reason: str, use: str = "", *, key: str = ""
 ) -> None:
-    """Enable a button, or disable it with the reason in its tooltip.
+    """Enable a button, a field or an action, or disable it with the reason in its tooltip.
 
     Args:
-        button: The button.
+        target: The button, the field or the action.
         reason: The reason why it cannot be used now; empty if it can.
-        use: Its purpose, for the tooltip of an enabled button.
+        use: Its purpose, for the tooltip of what can be used.
         key: Its shortcut, shown after that.
     """
-    button.setEnabled(not reason)
+    target.setEnabled(not reason)
+    target.setProperty(_REASON, reason)
     if key:
         shown = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
         use = f"{use} ({shown})"
-    if button.toolTip() != (reason or use):  # Qt sends an event even for the same text
-        button.setToolTip(reason or use)
+    if target.toolTip() != (reason or use):  # Qt sends an event even for the same text
+        target.setToolTip(reason or use)
+
+
+def reason_against(target: QWidget | QAction) -> str:
+    """Return why something cannot be used now, as :func:`enable_or_explain` was told; "" if not."""
+    return str(target.property(_REASON) or "")
 
 
 def named(name: str, thing: Named) -> Named:

@@ -35,7 +35,7 @@ from armui.ui.panels.cell.held_tab import HeldTab
 from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, choice_button, give_menu, named
+from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, give_menu, named
 from armui.ui.widgets.layouts import in_column, in_row, scrolled
 from armui.ui.words.text import Text, Texts
 
@@ -438,9 +438,8 @@ class CellPanel(Panel):
         self._choice.setCurrentIndex(max(0, self._choice.findData(chosen)))
         taken = why_taken("", operation_of(CellControl.choose))
         why_not = taken or words.why_not(why_not_change(self._operating_state))
-        self._choice.setEnabled(not why_not)
         use = self.tr("Puts another cell in force, or none; that confirms it, too.")
-        self._choice.setToolTip(why_not or use)
+        enable_or_explain(self._choice, why_not, use)
 
     def _show_managing(self) -> None:
         """Show what is done with cells while it is unfolded, or there is no cell to work on."""

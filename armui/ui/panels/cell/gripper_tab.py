@@ -16,7 +16,7 @@ from armui.control.devices.gripper import GripperControl, why_not_move_gripper
 from armui.ui import format as fmt
 from armui.ui.actions.act import Act
 from armui.ui.panels.cell.cell_tab import Answered, CellTab, change_command, hint_label
-from armui.ui.widgets.buttons import caption, named
+from armui.ui.widgets.buttons import caption, enable_or_explain, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.words.text import Text
@@ -164,9 +164,8 @@ class GripperTab(CellTab):
         self._on.setChecked(self._cell.gripper_calibrated)
         short = self.tr("Apply a table of two pairs at least first.")
         none = short if len(self._cell.gripper_table) < 2 else ""
-        self._on.setEnabled(not (self._why_not or none))
         use = self.tr("Off, everything is as the arm tells it; the table is kept.")
-        self._on.setToolTip(self._why_not or none or use)
+        enable_or_explain(self._on, self._why_not or none, use)
 
     @open_next.text
     def _open_text(self) -> str:

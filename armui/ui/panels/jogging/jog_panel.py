@@ -24,7 +24,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import choice_button, describe, named
+from armui.ui.widgets.buttons import choice_button, describe, enable_or_explain, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.hold_guard import HOLD_UNATTENDED, UNATTENDED_S, HoldGuard
 from armui.ui.widgets.jog_button import JogButton
@@ -99,8 +99,7 @@ class JogRow(Translated, QWidget):
     def allow_jog(self, why_not: str) -> None:
         """Enable − and +, or disable them with the reason."""
         for button, tip in zip((self.minus, self.plus), self._tips(), strict=True):
-            button.setEnabled(not why_not)
-            button.setToolTip(why_not or tip)
+            enable_or_explain(button, why_not, tip)
 
     def _tips(self) -> tuple[str, str]:
         """Return what − and + do."""

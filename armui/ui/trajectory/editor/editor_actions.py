@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QTableView, QToolButton, QWidget
 
 from armui.ui.actions.keys import SHORTCUTS, keys_of
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.flow import Flow, in_flow
 from armui.ui.widgets.table_model import TableHint
 
@@ -122,10 +122,9 @@ class EditorActions:
             what: The edit that it undoes or redoes.
         """
         action = self._actions[name]
-        action.setEnabled(not reason)
         quoted = f" “{what}”" if what else ""
         keys = SHORTCUTS[f"editor.{name}"].text()
-        action.setToolTip(reason or f"{action.text()}{quoted} ({keys})")
+        enable_or_explain(action, reason, f"{action.text()}{quoted} ({keys})")
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language; tooltips name the keys."""
