@@ -175,9 +175,9 @@ class Lessor:
         return ask
 
     def heard(self, client: Client, now_s: float) -> None:
-        """Note that something was heard from a client."""
+        """Note when something was last heard from a client; before the grant it counts for none."""
         if self.held is not None and self.held.ask.client.number == client.number:
-            self._heard_s = now_s
+            self._heard_s = max(self._heard_s, now_s)
 
     def end(self) -> Lease | None:
         """End the lease, and return it."""

@@ -219,6 +219,18 @@ def test_nobody_there_for_half_a_minute_is_a_refusal(client, desk):
     assert desk.view.lease is None
 
 
+def test_the_second_without_a_word_begins_with_the_grant(client, desk):
+    """Who waits for the operator has nothing to say meanwhile."""
+    client.begin("lease.request", purpose="x", moves=True, max_speed_percent=50)
+    client.wait(lambda: desk.view.asked is not None)
+    desk.rig.run(5.0)
+    desk.grant(50)
+    desk.rig.run(0.9)
+    assert desk.view.lease is not None
+    desk.rig.run(0.2)
+    assert desk.view.lease is None
+
+
 def test_two_clients_for_one_lease(leased, connect, desk):
     other = connect("other")
     wrong = other.refused("lease.request", purpose="x", moves=True, max_speed_percent=50)
