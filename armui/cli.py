@@ -31,6 +31,7 @@ _COMMANDS: Final = {
     "decode": ("armui.decode", "print a recorded CAN log frame by frame, in words and units"),
     "doctor": ("armui.doctor", "say what is wrong with this computer, the bus and the arm"),
     "export": ("armui.export", "write a recorded CAN log as MCAP, CSV or Parquet"),
+    "mcp": ("armui.interface.mcp_command", "serve the local interface to a language model"),
     "record": ("armui.record", "record what is on a bus to files, without a window"),
     "sim": ("armui.sim.sim_command", "run the simulated arm on a CAN bus until Ctrl-C"),
 }

@@ -79,7 +79,7 @@ class RangeOfArm:
     """Marks a figure whose range follows from the arm at hand; the method itself checks it.
 
     Attributes:
-        unit: The unit that the operator sees; "" if that depends on the arm as well.
+        unit: Its unit; both, where that depends on the arm or the axis.
     """
 
     unit: str = ""

@@ -2162,6 +2162,10 @@
         <translation>说明本地接口为程序提供什么</translation>
     </message>
     <message>
+        <source>serve the local interface to a language model</source>
+        <translation>把本地接口提供给语言模型</translation>
+    </message>
+    <message>
         <source>usage: </source>
         <translation>用法：</translation>
     </message>
@@ -2644,6 +2648,10 @@
     <message>
         <source>{seconds:.0f} s left</source>
         <translation>剩余 {seconds:.0f} 秒</translation>
+    </message>
+    <message>
+        <source>armui mcp: {error}. In a copy of armui&apos;s repository: pip install ./resources/clients/armui_client ./resources/clients/armui_mcp</source>
+        <translation>armui mcp：{error}。请在 armui 仓库中运行：pip install ./resources/clients/armui_client ./resources/clients/armui_mcp</translation>
     </message>
     <message>
         <source>nothing tells, and arms in use today speak it</source>

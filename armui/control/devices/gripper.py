@@ -85,7 +85,8 @@ GRIPPER_ACT_FAILED = Notice(
 
 CALIBRATED_MM: Final = "mm_calibrated"
 """The unit of an opening by the gripper's table, for a sentence."""
-OfGripper = Annotated[float, RangeOfArm()]
+Travel = Annotated[float, RangeOfArm("mm or °")]
+Effort = Annotated[float, RangeOfArm("N·m or rad/s")]
 """A figure whose range and unit :attr:`GripperControl.figures` tells."""
 _MM: Final = "mm"
 _THERE: Final = 0.5
@@ -285,8 +286,8 @@ class GripperControl(RequestingPart[str]):
     def move(
         self,
         started: Started,
-        travel: OfGripper,
-        effort: OfGripper,
+        travel: Travel,
+        effort: Effort,
         *,
         uncalibrated: bool = False,
     ) -> Refusal | None:
@@ -346,7 +347,7 @@ class GripperControl(RequestingPart[str]):
         return self.move(target, figures.effort.first if effort is None else effort)
 
     @operation("gripper.enable", "Enable the gripper", why_not_move_gripper, moves=True)
-    def enable(self, started: Started, effort: OfGripper) -> Refusal | None:
+    def enable(self, started: Started, effort: Effort) -> Refusal | None:
         """Enable the gripper at its present place."""
         refusal = check(self.figures.effort, effort)
         heard = self._last_feedback()

@@ -224,7 +224,10 @@ class Cartesian(ControllerPart):
         first=drop_waiting,
     )
     def move(
-        self, started: Started, target: Sequence[float], move_mode: MoveMode
+        self,
+        started: Started,
+        target: Annotated[Sequence[float], "mm, °"],
+        move_mode: MoveMode,
     ) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
@@ -236,7 +239,7 @@ class Cartesian(ControllerPart):
         self,
         started: Started,
         axis: ToolAxis,
-        amount: Annotated[float, RangeOfArm()],
+        amount: Annotated[float, RangeOfArm("mm or °")],
         frame: MotionFrame,
     ) -> Refusal | None:
         """Move the tool centre point by a step, on a straight line.
@@ -271,7 +274,7 @@ class Cartesian(ControllerPart):
         first=drop_waiting,
     )
     def move_arc(
-        self, started: Started, *points: Annotated[Sequence[float], Count(3)]
+        self, started: Started, *points: Annotated[Sequence[float], Count(3), "mm, °"]
     ) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 

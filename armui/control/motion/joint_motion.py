@@ -207,7 +207,9 @@ class Motion(ControllerPart):
         shown_first=True,
         first=drop_waiting,
     )
-    def send_joints(self, started: Started, angles_deg: Sequence[float]) -> Refusal | None:
+    def send_joints(
+        self, started: Started, angles_deg: Annotated[Sequence[float], "°"]
+    ) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
         return self._move(started, angles_deg, SENT_JOINTS, **reports.numbered(angles_deg))
 
