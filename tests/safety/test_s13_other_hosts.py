@@ -3,9 +3,11 @@
 import can
 import pytest
 
+from armui.arm.state import GripperFault
 from armui.bus.worker import is_own_echo
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
+from armui.control.operations.started import Ending
 from armui.control.run.progress import Run, RunPhase
 from armui.control.safety.other_command import LEADER_ARM, OTHER_HOST, OTHER_HOST_STREAMS
 from armui.control.safety.recovery_steps import Action, StepKind
@@ -178,6 +180,27 @@ def test_enabling_waits_while_another_host_streams_targets(ready, other_host):
 
     assert controller.motors.enable().reason == OTHER_HOST
     stream.end()
+
+
+@pytest.mark.parametrize("act", ["enable", "clear_error", "move"])
+def test_the_gripper_gives_way_to_another_hosts_command(ready, other_host, act):
+    """It shows no effect, so ours would be repeated after 0.5 s, over the other's target."""
+    rig, gripper = ready, ready.controller.gripper
+    rig.firmware.gripper.fail(GripperFault.OVERCURRENT)
+    rig.firmware.gripper.command = lambda _signals, **_more: None
+    rig.run(0.1)
+    figures = {"enable": (1.0,), "clear_error": (), "move": (30.0, 1.0)}
+    started = accepted(getattr(gripper, act)(*figures[act]))
+    rig.run(0.1)
+    assert len([each for each in rig.heard() if each.arbitration_id == 0x159]) == 1
+    # 20 mm = 20000 = 4E20; 1 N·m = 1000 = 03E8; byte 6: enable
+    other_host.say("159#00004E2003E80100")
+    rig.run(2.0)
+
+    said = [each.data.hex() for each in rig.heard() if each.arbitration_id == 0x159]
+    assert said == ["00004e2003e80100"]
+    assert started.ending is Ending.CUT_OFF
+    assert not {"gripper_act_failed", "gripper_not_there"} & set(rig.codes())
 
 
 def test_a_leader_arm_is_called_one(ready):

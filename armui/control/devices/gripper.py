@@ -204,6 +204,7 @@ class GripperControl(RequestingPart[str]):
         self._settings = settings
         self._table = table
         self._travel: _Travel | None = None
+        self._commanded_s = 0.0
         self.by_angle = False
 
     @property
@@ -316,6 +317,7 @@ class GripperControl(RequestingPart[str]):
             return LINK_LOST()
         self._drop_request()
         unit, now_s = figures.travel.unit, self._context.clock()
+        self._commanded_s = now_s
         self._travel = _Travel(asked, heard.travel, now_s, now_s, unit, effort, started)
         told = unit if uncalibrated else self._unit_shown(unit)
         self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
@@ -410,7 +412,7 @@ class GripperControl(RequestingPart[str]):
     ) -> None:
         """Send something, again until the gripper shows it."""
         context = self._context
-        since_s = context.clock()
+        self._commanded_s = since_s = context.clock()
 
         def shows(state: ArmState) -> bool:
             gripper = state.gripper
@@ -430,13 +432,15 @@ class GripperControl(RequestingPart[str]):
         """Note the target that a run sent it to, so that the run's end knows whether it moves."""
         heard = self._last_feedback()
         if heard is not None:
-            now_s = self._context.clock()
+            self._commanded_s = now_s = self._context.clock()
             self._travel = _Travel(target, heard.travel, now_s, now_s, heard.unit, effort)
 
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Follow the motion and the requests under way in the gripper's feedback."""
+        """Follow what is under way in the gripper's feedback; it gives way to another host's."""
+        if self._context.authority.other.has_commanded_gripper(self._commanded_s):
+            self._drop_request()
         if self._travel is not None:
             self._follow(self._travel)
         super().follow_arm()

@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
+from armui.protocol.addressing import OFFSETS
 from armui.protocol.codes import (
     MOVE_UNCHANGED,
     ArmStatusCode,
@@ -49,6 +50,7 @@ _TAKE_OVER_AFTER_S: Final = 0.5
 """The operator may take over this long after the other host's last motion frame (S13)."""
 _TAKEN_IN_S: Final = 0.3
 """A status this much later than a mode word was reported after it."""
+_GRIPPER: Final = 0x159
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
 """The bytes of the mode word 0x151 with the move mode and with MIT."""
@@ -212,6 +214,11 @@ class OtherCommand:
         """The rate of its most frequent motion frame, rounded to two digits."""
         rate_hz = max((each.rate_hz for each in self.series), default=0.0)
         return 10 * round(rate_hz / 10.0) if rate_hz >= 20.0 else round(rate_hz)
+
+    def has_commanded_gripper(self, since_s: float) -> bool:
+        """Return whether another host has sent the gripper a command (0x159) after a time."""
+        grippers = [each for each in self._motion if each.arbitration_id - _GRIPPER in OFFSETS]
+        return any(each.last_s > since_s for each in grippers)
 
     def why_not(self) -> Refusal | None:
         """Return the reason against a motion of ours, or ``None``."""
