@@ -121,7 +121,7 @@ def test_the_schema_has_every_operation_that_is_offered(capsys):
     (percent,) = (
         each for each in methods["motion.set_speed"]["params"] if each["name"] == "percent"
     )
-    assert percent["schema"] == {"type": "number", "minimum": 0, "maximum": 100, "x-unit": "%"}
+    assert percent["schema"] == {"type": "integer", "minimum": 0, "maximum": 100, "x-unit": "%"}
     of = {
         (name, each["name"]): (each["required"], each["schema"])
         for name, method in methods.items()

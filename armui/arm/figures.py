@@ -119,8 +119,8 @@ JointNumber = Annotated[int, Range(JOINTS[0], JOINTS[-1])]
 JointOrAll = Annotated[int, Range(JOINTS[0], JOINTS[-1]), Also(ALL_JOINTS)]
 """One joint, or :data:`ALL_JOINTS`."""
 PERCENT: Final = Range(0, 100, "%")
-Percent = Annotated[float, PERCENT]
-"""A speed, or a share of one."""
+Percent = Annotated[int, PERCENT]
+"""A speed, or a share of one: the arm takes whole percent (0x151 byte 2)."""
 
 
 def check_figure(name: str, value: float, within: Range, *, whole: bool = False) -> Refusal | None:

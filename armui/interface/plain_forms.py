@@ -23,7 +23,7 @@ from typing import (
     get_type_hints,
 )
 
-from armui.arm.figures import CommandFigure, Count, figures_of
+from armui.arm.figures import CommandFigure, Count, Range, figures_of
 from armui.control.motion.jog_path import MotionFrame
 from armui.control.operations.operation import Consent, Operation
 from armui.interface.messages import CallError, Code, Json
@@ -184,7 +184,10 @@ def _taken(name: str, hint: object, value: object) -> object:
         numeric = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
         if numeric and (whole or _is_plausible(value)):
             return value
+        within = marks.get(Range)
         wrong = "a whole number" if whole else f"a number within ±{_MOST:,.0f}"
+        if whole and within is not None:
+            wrong += f" from {within.minimum} to {within.maximum}"
     elif get_origin(kind) is list:
         return _listed(name, get_args(kind)[0], marks, value)
     else:

@@ -14,7 +14,6 @@ from armui.arm.figures import (
     JointNumber,
     JointOrAll,
     OneOf,
-    Percent,
     Range,
     RangeOfArm,
     check_arguments,
@@ -24,10 +23,11 @@ from armui.arm.refusal import Reason
 
 NO_SUCH_OFFSET = Reason("no_such_offset", "{value} is no offset.")
 Angle = Annotated[float, RangeOfArm("°")]
+Share = Annotated[float, Range(0, 100, "%")]
 Offset = Annotated[int, OneOf((0, 16), NO_SUCH_OFFSET)]
 
 
-def command(name: str, joint: JointOrAll, percent: Percent, to_deg: Angle, offset: Offset) -> None:
+def command(name: str, joint: JointOrAll, percent: Share, to_deg: Angle, offset: Offset) -> None:
     """Take a figure of each kind."""
 
 

@@ -7,7 +7,7 @@ import can
 import pytest
 
 from armui.arm.device import Device
-from armui.arm.figures import FIGURE_OUT_OF_RANGE
+from armui.arm.figures import FIGURE_NOT_WHOLE, WHOLE_OUT_OF_RANGE
 from armui.arm.limits import JOINT_NOT_A_NUMBER
 from armui.control.devices.motors import NOT_STOPPED
 from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState
@@ -166,10 +166,13 @@ def test_the_speed_goes_to_the_arm_in_the_mode_it_is_in(rig):
     assert rig.firmware.condition.speed_percent == 80
 
 
-@pytest.mark.parametrize("percent", [-1, 100.5, 255])
-def test_an_impossible_speed_is_refused(rig, percent):
+@pytest.mark.parametrize(
+    ("percent", "reason"),
+    [(-1, WHOLE_OUT_OF_RANGE), (255, WHOLE_OUT_OF_RANGE), (1.5, FIGURE_NOT_WHOLE)],
+)
+def test_an_impossible_speed_is_refused(rig, percent, reason):
     rig.connect()
-    assert rig.controller.motion.set_speed_percent(percent).reason == FIGURE_OUT_OF_RANGE
+    assert rig.controller.motion.set_speed_percent(percent).reason == reason
     assert rig.controller.operating_state.speed_percent == 30
 
 

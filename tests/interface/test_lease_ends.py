@@ -251,6 +251,10 @@ def test_the_operators_speed_slows_it_and_more_than_granted_is_refused(client, d
     motion = desk.rig.controller.motion
     wrong = client.refused("motion.set_speed", lease=client.lease, percent=41)
     assert wrong["data"]["reason"] == "lease_too_fast"
+    wrong = client.refused("motion.set_speed", lease=client.lease, percent=1.5)
+    assert wrong["message"] == "“percent” must be a whole number from 0 to 100."
+    wrong = client.refused("motion.set_speed", lease=client.lease, percent=-1)
+    assert wrong["data"]["reason"] == "whole_out_of_range"
     client.ask("motion.set_speed", lease=client.lease, percent=30)
     assert motion.speed_percent == 30
     motion.set_speed_percent(100)

@@ -29,7 +29,7 @@ def test_a_held_jog_says_its_speed_and_a_step_its_step(any_driver):
     assert any_driver.read("jog_step_label") == "Step"
     choose_continuous(any_driver)
     assert any_driver.read("jog_step_label") == "12.9°/s"
-    accepted(any_driver.controller.motion.set_speed_percent(50.0))
+    accepted(any_driver.controller.motion.set_speed_percent(50))
     any_driver.run(0.2)
     assert any_driver.read("jog_step_label") == "6.4°/s"
     any_driver.click("menu_cartesian")

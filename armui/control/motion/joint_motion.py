@@ -141,15 +141,15 @@ class Motion(ControllerPart):
         context = self._context
         operating_state = context.operating_state()
         if operating_state.running:
-            return self.set_speed_of_run(started, round(percent))
+            return self.set_speed_of_run(started, percent)
         # slowing down is allowed while a joint's reference is in doubt
-        slows = context.authority.lowers_speed(round(percent))
+        slows = context.authority.lowers_speed(percent)
         if operating_state.moving and not slows:
             refusal = operating_state.reference.why_not_move(percent)
             if refusal is not None:
                 return refusal
-        lower = round(percent) < self.speed_percent
-        self.speed_percent = round(percent)
+        lower = percent < self.speed_percent
+        self.speed_percent = percent
         self._lower_speed.drop()
         tellable = operating_state.control_certain and not operating_state.jogging
         tellable &= (

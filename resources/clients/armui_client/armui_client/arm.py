@@ -499,7 +499,7 @@ class Arm:
         """Leave the last episode out of datasets; no lease is needed."""
         return self._operation("episode.discard", {})
 
-    def set_speed(self, percent: float) -> Operation:
+    def set_speed(self, percent: int) -> Operation:
         """Set the speed of all motions, at most what the operator has granted."""
         return self._operation("motion.set_speed", {"percent": percent})
 
