@@ -12332,6 +12332,10 @@ The other program must have ended.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
     </message>
     <message>
+        <source>The program was held up for {value} ms, which ended the stream. The next target begins another.</source>
+        <translation>程序停顿了 {value} 毫秒，目标流因此结束。发送下一个目标即开始新的目标流。</translation>
+    </message>
+    <message>
         <source>To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm would change its posture. Send poses nearer to one another.</source>
         <translation>到此位姿关节 {joint} 需一次转动 {value}°，超过 {maximum}°：机械臂会改变构型。请发送彼此更接近的位姿。</translation>
     </message>

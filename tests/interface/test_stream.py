@@ -5,6 +5,7 @@ import math
 
 import pytest
 
+from armui.control.motion.jogging import STREAM_HELD_UP
 from armui.control.motion.target_stream import STREAM_DEG_S
 from armui.ways.way import straight_way
 from tests.interface.conftest import Desk, RawClient, until_settled, with_lease
@@ -96,6 +97,17 @@ def test_without_a_target_it_rests_and_the_lease_stays(streaming, desk):
     desk.rig.run(0.3)
     assert desk.rig.firmware.joints_deg[0] == pytest.approx(rests, abs=0.01)
     assert desk.view.lease is not None
+
+
+def test_a_stream_ended_by_a_gap_says_what_a_program_can_do(streaming, desk):
+    """Nobody holds a button of a client's: it is told to send again, which begins anew."""
+    stream(streaming, desk, [[20.0, *MID[1:]]] * 10)
+    desk.rig.step(0.15)
+    (ended,) = [each for each in desk.rig.events if each.code == "jog_ended"]
+    assert ended.params["reason"].reason == STREAM_HELD_UP
+    stream(streaming, desk, [[20.0, *MID[1:]]] * 40)
+    assert "stream_held_up" in answers(streaming)
+    assert desk.rig.firmware.joints_deg[0] == pytest.approx(20.0, abs=0.1)
 
 
 def test_it_is_never_faster_than_a_stream_may_be(streaming, desk):

@@ -62,6 +62,11 @@ STILL_MOVING = Reason(
 JOG_HELD_UP = Reason(
     "jog_held_up", "The program was held up for {value} ms. Let go and press again."
 )
+STREAM_HELD_UP = Reason(
+    "stream_held_up",
+    "The program was held up for {value} ms, which ended the stream. The next target begins "
+    "another.",
+)
 JOG_NO_FEEDBACK = Reason(
     "jog_no_feedback",
     "The joint angles are no longer heard from the arm. Check its power and the CAN cable.",
@@ -294,7 +299,7 @@ class Jogging(ControllerPart):
         state = context.connection.newest
         measured_deg = state.angles_deg()
         refusal = (
-            _why_blind(state, dt_s, now_s)
+            _why_blind(state, dt_s, now_s, hold.jog)
             or _why_not_steered(hold, now_s)
             or context.operating_state().cannot_move
             or self._cartesian.why_no_frame(_frame(hold.jog))
@@ -486,10 +491,11 @@ class Jogging(ControllerPart):
         self._rest.reset()
 
 
-def _why_blind(state: ArmState, dt_s: float, now_s: float) -> Refusal | None:
+def _why_blind(state: ArmState, dt_s: float, now_s: float, jog: Jog) -> Refusal | None:
     """Return why the arm's place, or the operator's hold, is not certain, or ``None``."""
     if dt_s > _HELD_UP_S:
-        return JOG_HELD_UP(value=round(1000 * dt_s))
+        held_up = STREAM_HELD_UP if isinstance(jog, TargetJog) else JOG_HELD_UP
+        return held_up(value=round(1000 * dt_s))
     if any(heard is None or now_s - heard.at_s > _FEEDBACK_S for heard in state.joints_deg):
         return JOG_NO_FEEDBACK()
     return None
