@@ -169,6 +169,7 @@ class CommandPalette(ArmDialog):
         self.setObjectName("command_palette")
         self._source = items
         self._names = Names()
+        self._hindered: set[str] = set()
         self._items: list[tuple[PaletteItem, SearchText]] = []
         self.search = named("palette_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
@@ -228,15 +229,12 @@ class CommandPalette(ArmDialog):
         query = self.search.text()
         before = self._chosen() if keep else None
         told = self._message.isVisible() and before is not None
+        if not keep:  # rows that changed places while one is read would be pressed for each other
+            self._hindered = {item.command.name for item, _ in self._items if item.reason}
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._items)]
-        found = [
-            # dangerous commands sort last: Enter must not choose one while anything else matches
-            (bool(query.strip()) and self._items[place][0].command.dangerous, how, place)
-            for how, place in ranked
-            if how is not None
-        ]
+        found = [(self._order(how, place), place) for how, place in ranked if how is not None]
         found.sort()
-        self._model.show_items([self._items[place][0] for _, _, place in found])
+        self._model.show_items([self._items[place][0] for _, place in found])
         row = 0 if before is None else self._model.row_of(before.command.name)
         self.list.setCurrentIndex(self._model.index(row, 0))
         chosen = self._chosen()
@@ -246,6 +244,17 @@ class CommandPalette(ArmDialog):
             # the reason is shown only as long as the command that it belongs to is chosen
             same = before is not None and chosen.command.name == before.command.name
             self._message.setVisible(told and same)
+
+    def _order(self, how: tuple[int, ...], place: int) -> tuple[object, ...]:
+        """Return what an item is sorted by: of those that match alike what can be done is first.
+
+        Dangerous commands sort last: Enter must not choose one while anything else matches.
+        """
+        command = self._items[place][0].command
+        if not self.search.text().strip():
+            return (place,)
+        *match, length = how
+        return command.dangerous, match, command.name in self._hindered, length
 
     def _chosen(self) -> PaletteItem | None:
         return self._model.item(self.list.currentIndex().row())
