@@ -184,15 +184,16 @@ def _taken(name: str, hint: object, value: object) -> object:
         numeric = isinstance(value, int if whole else int | float) and not isinstance(value, bool)
         if numeric and (whole or _is_plausible(value)):
             return value
-        within = marks.get(Range)
-        wrong = "a whole number" if whole else f"a number within ±{_MOST:,.0f}"
-        if whole and within is not None:
-            wrong += f" from {within.minimum} to {within.maximum}"
+        wrong = _whole(marks.get(Range)) if whole else f"a number within ±{_MOST:,.0f}"
     elif get_origin(kind) is list:
         return _listed(name, get_args(kind)[0], marks, value)
     else:
         return six(name, value)
     raise CallError(Code.PARAMS, f"“{name}” must be {wrong}.")
+
+
+def _whole(within: Range | None) -> str:
+    return f"a whole number{f' from {within[0]} to {within[1]}' if within else ''}"
 
 
 def _listed(name: str, of: object, marks: Mapping[type, Any], value: object) -> list[object]:
