@@ -1713,7 +1713,7 @@
 <context>
     <name>ColumnPicker</name>
     <message>
-        <source>Guessed: check it</source>
+        <source>Guess: check it</source>
         <translation>推测值，请核对</translation>
     </message>
     <message>

@@ -4,11 +4,14 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import Waypoint
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.table_import.columns_table import ColumnsTable
+from tests.gallery_scenes.trajectories import columns_asked
 from tests.operator.editor.actions import Editor
 
 POSE = (243.125, -120.25, 300.5, -170.123, 140.25, -160.5)
@@ -41,3 +44,13 @@ def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
     app_driver.click("library_button")
     app_driver.run(0.2)
     assert app_driver.page(LibraryPage)._table.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.styled
+def test_a_file_of_time_and_six_joints_is_imported_without_a_scroll(app_driver):
+    app_driver.window.resize(1440, 900)
+    page = columns_asked(app_driver)
+    app_driver.run(0.2)
+    assert page.findChild(ColumnsTable).horizontalScrollBar().maximum() == 0
+    origin = page.findChild(QLabel, "column_origin_7")
+    assert origin.fontMetrics().horizontalAdvance("Guess: check it") <= origin.width(), "is cut"

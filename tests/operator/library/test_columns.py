@@ -86,7 +86,7 @@ def test_waits_and_radians_as_the_maker_records_them(operator):
     joints = [f"J{joint} rad" for joint in range(1, 7)]
     assert operator.columns() == ["Wait s", *joints, "Gripper m"]
     origin = operator.page.findChild(QWidget, "column_origin_2")
-    assert origin.text() == "Guessed: check it"
+    assert origin.text() == "Guess: check it"
     asked = "Columns 2, 3, 4, 5, 6, 7 may be radians or degrees: choose which."
     assert operator.message() == asked
     assert not operator.child("import").isEnabled()
@@ -155,14 +155,14 @@ def test_one_large_angle_tells_that_all_are_degrees(operator):
     assert operator.columns() == [f"J{joint} °" for joint in range(1, 7)]
     assert operator.message() == ""
     origins = [operator.page.findChild(QWidget, f"column_origin_{n}").text() for n in (1, 6)]
-    assert origins == ["Guessed: check it"] * 2
+    assert origins == ["Guess: check it"] * 2
 
 
 def test_what_is_called_by_hand_has_a_unit_that_is_marked_as_guessed(operator):
     operator.open(line=DEGREES.replace("_deg", ""))
     operator.call(2, "J1")
     assert operator.columns()[1] == "J1 °"
-    assert operator.page.findChild(QWidget, "column_origin_2").text() == "Guessed: check it"
+    assert operator.page.findChild(QWidget, "column_origin_2").text() == "Guess: check it"
     operator.choose(operator.box("unit", 2), "rad")
     assert operator.page.findChild(QWidget, "column_origin_2").text() == ""
 

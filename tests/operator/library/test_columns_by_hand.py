@@ -73,7 +73,7 @@ def test_what_was_said_of_the_columns_stays_while_they_are_the_same(operator):
     operator.first_line(2)
     assert operator.columns() == ["J1 rad", *JOINTS[1:5], "-"]
     origins = [operator.page.findChild(QWidget, f"column_origin_{n}").text() for n in (1, 2)]
-    assert origins == ["", "Guessed: check it"]
+    assert origins == ["", "Guess: check it"]
     operator.choose(operator.dialect_field("delimiter"), "tab")
     assert len(operator.columns()) == 1
     operator.choose(operator.dialect_field("delimiter"), "spaces")

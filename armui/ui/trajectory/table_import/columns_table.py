@@ -161,7 +161,7 @@ class ColumnPicker(Translated, QWidget):
         self.unit_chosen.emit()
 
     def _show_origin(self) -> None:
-        self._origin.show_text(self.tr("Guessed: check it") if self._guessed else "")
+        self._origin.show_text(self.tr("Guess: check it") if self._guessed else "")
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -192,7 +192,7 @@ class _Choice(QComboBox):
         event.ignore()
 
 
-_COLUMN_PX: Final = 124
+_COLUMN_PX: Final = 103
 _ROW_PX: Final = 26
 _ROWS: Final = 10
 _MOST_COLUMNS: Final = 60
