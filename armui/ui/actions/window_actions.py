@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
 
 _ICON_PX: Final = 14
+_LANGUAGE_TIP: Final = "中文 / English\n字体下次启动时更换 / The font follows at the next start"
 _HIGHEST_PX: Final = 20
 """The largest height of the button: that of the line of text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
@@ -122,7 +123,7 @@ class LanguageButton(Translated, QToolButton):
 
     def retranslate_ui(self) -> None:
         """Show the name of the other language, in that language."""
-        caption(self, "English" if shown_language() == "zh" else "中文", tip="中文 / English")
+        caption(self, "English" if shown_language() == "zh" else "中文", tip=_LANGUAGE_TIP)
 
 
 class WindowActions(QObject):
