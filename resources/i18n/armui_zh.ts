@@ -11503,8 +11503,8 @@ The other program must have ended.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
     <message>
-        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no other target; hold Move inside: it moves slowly, all at once.</source>
-        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：各关节一起缓慢移动。</translation>
+        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no other target; hold Move inside: these move slowly, all at once, then J5 if the hand lies on the base.</source>
+        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：这些关节一起缓慢移动，手部贴着底座时 J5 随后也会移动。</translation>
     </message>
     <message>
         <source>Paused: with the speed above 0 %, hold “Continue” for 1 s</source>

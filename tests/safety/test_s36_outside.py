@@ -352,6 +352,7 @@ def test_joint_5_follows_where_joint_3_alone_is_outside_and_the_hand_lies_on_the
     lies_deg = (REST_DEG[0], 1.0, *REST_DEG[2:])
     watch = lying(rig, lies_deg)
     lay_deg = rig.firmware.true_joints_deg
+    assert "then J5" in rig.controller.recovery.step.kind.value.source, "said before the press"
     come_inside(rig)
     rig.run_until(lambda: abs(rig.firmware.joints_deg[4] - CLEAR_J5_DEG) < 0.1)
     rig.run(0.5)

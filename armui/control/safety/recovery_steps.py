@@ -343,7 +343,8 @@ class StepKind(enum.Enum):
     OUTSIDE = StepText(
         "outside",
         "Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm "
-        "takes no other target; hold Move inside: it moves slowly, all at once.",
+        "takes no other target; hold Move inside: these move slowly, all at once, then J5 if the "
+        "hand lies on the base.",
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",
