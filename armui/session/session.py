@@ -32,6 +32,8 @@ class MarkKind(enum.Enum):
     """Any other event, or what the operator marked."""
     EPISODE = enum.auto()
     """An episode that the operator marked, from its beginning to its end."""
+    DISCARDED = enum.auto()
+    """The same, which the operator does not want."""
 
 
 class SessionMark(NamedTuple):

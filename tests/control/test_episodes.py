@@ -20,7 +20,6 @@ from armui.session.recording.episodes import Episode, episode_line, episodes_of
 from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.sidecar import as_bytes, read_lines
-from armui.session.session import MarkKind
 from tests.accepted import accepted
 
 
@@ -84,7 +83,7 @@ def test_what_is_marked_is_read_back(rig, log):
     )
     assert found[0].begin_s == pytest.approx(session.start_s + 0.3, abs=0.05)
     assert "episode_closed" in rig.codes(), "what was not ended is ended with the log, and said"
-    marks = [each for each in session.marks if each.kind is MarkKind.EPISODE]
+    marks = [each for each in session.marks if each.entry.get("code") == "episode"]
     assert [(each.at_s, each.entry["ended_s"]) for each in marks] == [
         (each.begin_s, each.end_s) for each in found
     ]

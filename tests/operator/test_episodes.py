@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 
 from armui.session.recording.episodes import episodes_of
 from armui.session.recording.recorded_session import RecordedSession
-from armui.session.session import MarkKind
+from armui.ui.theme import colors_of
 from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.watch.replay.time_line import TimeLine, mark_text
 from tests.gamepad.pads import PAD, Pads, switch_on
@@ -66,7 +66,7 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
         ("stack the cubes", True),
         ("stack the cubes", False),
     ]
-    marks = [each for each in session.marks if each.kind is MarkKind.EPISODE]
+    marks = [each for each in session.marks if each.entry.get("code") == "episode"]
     assert mark_text(marks[0]) == "Operator: Episode 1: “stack the cubes”"
     assert mark_text(marks[1]) == "Operator: Episode 2, discarded: “stack the cubes”"
     line = TimeLine()
@@ -76,4 +76,9 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
         each for each in line.told_at(line.place_px(found[0].begin_s + 0.6)) if "Episode 1:" in each
     ]
     assert "0:01.2" in told, "it is told all through it, with its length"
+    seen = line.grab().toImage()
+    top_px = 17  # of the band of an episode; one that was discarded is a thin line below
+    times_s = [each.begin_s + (each.end_s - each.begin_s) / 2.0 for each in found]
+    inks = [seen.pixelColor(round(line.place_px(at_s)), top_px).name() for at_s in times_s]
+    assert [each == colors_of(line).ok for each in inks] == [True, False, True]
     line.close()

@@ -121,7 +121,7 @@ def log_events(
         marks = [each for each in marks if each.entry.get("code") not in _STATUS]
         entries = _events_heard(rows, channel, arm, wall)
     # an episode has the events of its beginning and end
-    told_of = [each for each in marks if each.kind is not MarkKind.EPISODE]
+    told_of = [each for each in marks if each.entry.get("code") != "episode"]
     entries += [entry_of(each, wall) for each in told_of]
     return LoggedEvents(_log_of(entries), found)
 

@@ -72,7 +72,7 @@ def episode_marks(lines: Iterable[Mapping[str, Any]]) -> list[SessionMark]:
     return [
         SessionMark(
             each.begin_s,
-            MarkKind.EPISODE,
+            MarkKind.DISCARDED if each.discarded else MarkKind.EPISODE,
             {
                 "code": KIND,
                 "episode": each.number,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 TROUBLE: Final = frozenset({MarkKind.FAULT, MarkKind.STOP})
 """The kinds of marks for «next fault»."""
-_LASTING: Final = TROUBLE | {MarkKind.EPISODE}
+_LASTING: Final = TROUBLE | {MarkKind.EPISODE, MarkKind.DISCARDED}
 _HERE_S: Final = 1e-4
 """A mark this near to the present time is the one the operator has gone to."""
 

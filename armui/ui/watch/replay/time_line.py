@@ -34,10 +34,15 @@ _EDGE_PX: Final = 10.0
 _FAULT_ROW: Final = QRectF(0, 6, 0, 9)
 _COMMAND_ROW: Final = QRectF(0, 27, 0, 9)
 _EPISODE_ROW: Final = QRectF(0, 15.5, 0, 11)
-_ROWS: Final = {MarkKind.FAULT: _FAULT_ROW, MarkKind.EPISODE: _EPISODE_ROW}
+_DISCARDED_ROW: Final = QRectF(0, 19.5, 0, 3)
+_ROWS: Final = {
+    MarkKind.FAULT: _FAULT_ROW,
+    MarkKind.EPISODE: _EPISODE_ROW,
+    MarkKind.DISCARDED: _DISCARDED_ROW,
+}
 """Where marks that last are drawn."""
 _DRAWN: Final = (
-    *(MarkKind.NOTE, MarkKind.EPISODE, MarkKind.COMMAND),
+    *(MarkKind.NOTE, MarkKind.DISCARDED, MarkKind.EPISODE, MarkKind.COMMAND),
     *(MarkKind.FAULT, MarkKind.STOP),
 )
 """The kinds of marks, the last above the others."""
@@ -239,9 +244,13 @@ class TimeLine(Translated, QWidget):
         painter.end()
 
     def _draw_marks(self, painter: QPainter, colors: Colors) -> None:
-        """Faults and episodes as long as they last, stops as triangles, commands as ticks."""
+        """Faults and episodes as long as they last, stops as triangles, commands as ticks.
+
+        An episode that was discarded is a thin grey line.
+        """
         inks = {
             MarkKind.EPISODE: colors.ok,
+            MarkKind.DISCARDED: colors.muted,
             MarkKind.NOTE: colors.muted,
             MarkKind.COMMAND: colors.accent,
             MarkKind.FAULT: colors.stop,
