@@ -118,6 +118,19 @@ def test_in_every_panel(ready, panel):
     inspect(ready, ready.window)
 
 
+@pytest.mark.parametrize(
+    ("panel", "first"), [("motion", "target_field_1"), ("cartesian", "pose_field_X")]
+)
+def test_tab_goes_from_target_to_target(ready, panel, first):
+    """The steps come after the last of them, and what sends the targets after the steps."""
+    ready.click(f"menu_{panel}")
+    walked = [each.objectName() for each in walk(ready, ready.window)]
+    begin = walked.index(first)
+    fields, steps = walked[begin : begin + 6], walked[begin + 6 : begin + 18]
+    assert all(each.startswith(first[:-1]) for each in fields)
+    assert all("_minus_" in each or "_plus_" in each for each in steps)
+
+
 def test_panels_are_chosen_by_tab_and_space(ready):
     walked = walk(ready, ready.window)
     entry = next(each for each in walked if each.objectName() == "menu_gripper")

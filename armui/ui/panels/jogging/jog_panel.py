@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import pairwise
 from typing import Final
 
 from PySide6.QtCore import QEvent, Qt, Signal
@@ -434,6 +435,10 @@ class JogPanel(Panel):
             row.let_go.connect(self._on_let_go)
             row.unattended.connect(self._on_unattended)
             row.edited.connect(self._on_edited)
+        # Tab goes from target to target, and then through the steps
+        steps = [button for row in self._rows for button in (row.minus, row.plus)]
+        for before, after in pairwise([*(row.field for row in self._rows), *steps]):
+            self.setTabOrder(before, after)
 
     def _finish(
         self,
