@@ -8971,6 +8971,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>运行速度 {percent} %</translation>
     </message>
     <message>
+        <source>The speed at the top is lowered from {before} to {percent} % as the run begins</source>
+        <translation>开始运行：顶部的速度由 {before} 降为 {percent} %</translation>
+    </message>
+    <message>
         <source>Checking the way…</source>
         <translation>正在检查路径…</translation>
     </message>
@@ -13884,6 +13888,10 @@ The other program must have ended.</source>
     <message>
         <source>The first sample is approached at {percent} %.</source>
         <translation>先以 {percent} % 运动到第一个采样点。</translation>
+    </message>
+    <message>
+        <source>first run: lowered to {percent} %</source>
+        <translation>首次运行：速度降为 {percent} %</translation>
     </message>
     <message>
         <source>Step by step it takes as long as the operator.</source>

@@ -44,12 +44,14 @@ def test_a_first_run_lowers_the_slider_where_it_is_seen(app_driver):
     operator = AtBoth(app_driver, SLOW, FAST)
     app_driver.type_into("speed_field", "60")
     for page in (operator.window, operator.library):
-        assert "first run" in operator.told(page).text()
+        assert "first run: lowered to 20 %" in operator.told(page).text()
         assert "3–18 % from row 1 on" in operator.told(page).toolTip()
     app_driver.run(0.5)
     app_driver.node.heard.clear()
     operator.send()
     assert app_driver.read("speed_field") == "20 %"
+    (told,) = [each for each in app_driver.events if each.code == "run_speed_lowered"]
+    assert told.params == {"before": 60, "percent": 20}
     operator.until(lambda: operator.progress.index == 1)
     app_driver.run(0.1)
     assert operator.sent() == {3, 18}

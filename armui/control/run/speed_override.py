@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 RUN_SPEED_SET = Notice(
     "run_speed_set", "The run goes at {percent} %", Level.INFO, EventKind.COMMAND, streams=True
 )
+RUN_SPEED_LOWERED = Notice(
+    "run_speed_lowered",
+    "The speed at the top is lowered from {before} to {percent} % as the run begins",
+    Level.INFO,
+    EventKind.PROGRAM,
+)
 
 STEP_PERCENT: Final = 10
 """The change of the speed by one press of a key."""
@@ -92,7 +98,10 @@ class SpeedOverride(ControllerPart):
         running, before = self._running, self._under_way
         run = running or before
         if run is not None and (running is None or before is None):
-            self._motion.speed_percent = min(self._motion.speed_percent, run.speed_percent)
+            now, of_run = self._motion.speed_percent, run.speed_percent
+            self._motion.speed_percent = min(now, of_run)
+            if before is None and of_run < now:
+                self._context.tell(RUN_SPEED_LOWERED, before=now, percent=of_run)
         self._under_way = running
 
     def follow_arm(self) -> None:

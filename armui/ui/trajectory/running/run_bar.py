@@ -354,7 +354,9 @@ class RunBar(Translated, QWidget):
             tip = self.tr("The speed of each row × that at the top: {percent} from row {row} on.")
             lines = [tip.format(percent=figures, row=row)]
         if not self._shared.has_run(self._name):
-            texts.append(self.tr("first run"))
+            first = self.tr("first run: lowered to {percent} %")
+            lowered = percent < self._controller.operating_state.speed_percent
+            texts.append(first.format(percent=percent) if lowered else self.tr("first run"))
             begin = self.tr(
                 "“{name}” is not known to have run: the speed at the top is lowered to {percent} % "
                 "as it begins."
