@@ -7,7 +7,9 @@ from PySide6.QtWidgets import QLabel
 
 from armui.control.events import Event
 from armui.control.link.link_state import LinkState
+from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.joint_motion import JOGGED
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.stopping import STOP_UNCONFIRMED
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme
@@ -110,6 +112,19 @@ def test_last_notice_with_its_time(bar, controller):
     controller.noticed.emit(Event(NOON, STOP_UNCONFIRMED, {}))
     assert "NOT confirmed" in text(bar, "notice_label")
     assert bar._notice_icon.isVisible()
+
+
+def test_a_remark_on_the_bus_does_not_wipe_what_matters_more(bar, controller):
+    late = Event(NOON, FEEDBACK_LATE, {"value": 300})
+    controller.noticed.emit(Event(NOON, JOGGED, {"joint": 2, "target": 12.0}))
+    controller.noticed.emit(late)
+    assert "arrived late" in text(bar, "notice_label")
+    controller.noticed.emit(Event(NOON, STOP_UNCONFIRMED, {}))
+    controller.noticed.emit(late)
+    assert "NOT confirmed" in text(bar, "notice_label")
+    bar.show_problem(SPEED_ZERO())
+    controller.noticed.emit(late)
+    assert "arrived late" not in text(bar, "notice_label")
 
 
 def test_the_notice_gives_way_and_the_status_never(bar, controller):

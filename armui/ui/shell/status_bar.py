@@ -19,6 +19,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.safety.uncommanded_motion import UncommandedMotion
 from armui.protocol.codes import ArmStatusCode, TeachingState
 from armui.system.failures import Failure
+from armui.telemetry.events import EventKind
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
@@ -272,9 +273,18 @@ class StatusBar(Translated, QWidget):
     # -- notice -------------------------------------------------------------------------------
 
     def _on_noticed(self, event: Event) -> None:
+        if event.notice.kind is EventKind.ODDITY and self._outweighs_an_oddity:
+            return  # such a remark on the bus stands among the events
         self._event, self._problem = event, None
         self._entry = self._controller.event_collector.number_of(event)
         self._show_notice()
+
+    @property
+    def _outweighs_an_oddity(self) -> bool:
+        """True if a problem, a result, a warning or a fault is shown."""
+        event = self._event
+        matters = event and event.level is not Level.INFO and event.notice.kind != EventKind.ODDITY
+        return self._problem is not None or bool(matters)
 
     def show_problem(self, reason: Refusal) -> None:
         """Show a problem of the program itself."""
