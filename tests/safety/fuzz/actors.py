@@ -632,6 +632,9 @@ class Actors:
         self._world.node.faults.start(fault(name, value))
 
     def mend(self) -> None:
+        if not self._world.firmware.is_on:  # it comes back without the stop
+            self._oracle.cancel("power")
+            self._oracle.stop_lifted()
         for each in list(self._world.node.faults.active):
             self._world.node.faults.end(each)
         line = self._world.node.link
@@ -675,3 +678,4 @@ class Actors:
 
     def sag(self, degrees: float) -> None:
         self._world.firmware.mechanics.sag_deg = (0.0, degrees, -degrees, 0.0, degrees, 0.0)
+        self._oracle.lease.sped_s = self._world.time_s  # it gives way at once, whoever moves it
