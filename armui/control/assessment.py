@@ -76,7 +76,7 @@ def assess(
         holds=authority.holds,
         held_target_deg=authority.held_target_deg,
         cancel_unheeded=authority.cancel_unheeded,
-        may_hold_another=authority.may_hold_another,
+        may_hold_another=authority.seems_to_hold_another,
         status=None if state.status is None else state.status.value,
         angles_known=state.angles_deg() is not None,
         pose_known=state.end_pose() is not None,

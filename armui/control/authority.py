@@ -115,6 +115,7 @@ class Authority:
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
+        self._cut_short = False
         self._met_moving = True
         self._goes_on = False
         self._cancel_repeated = False
@@ -143,7 +144,7 @@ class Authority:
         if self.other.observe(seen.traffic, seen.offsets, state, now_s, at_rest=self.at_rest):
             self.arm_percent = self._mode_sent = None
             self.holds = frozenset()
-            self._left_by_another, self._goes_on = True, False
+            self._left_by_another, self._goes_on, self._cut_short = True, False, False
             self._replay_s = None
         self._follow_replay(state)
         end = self._what_ends(seen)
@@ -281,6 +282,15 @@ class Authority:
         short = status is None or not status.value.reached
         return self._left_by_another and self.command is None and short
 
+    @property
+    def seems_to_hold_another(self) -> bool:
+        """The same, unless the arm stands short because its motion was ended from here.
+
+        A silence hides what another host may have done in it: it is dropped before the next motion,
+        but an arm that was merely heard late is not said to hold something back.
+        """
+        return self.may_hold_another and not self._cut_short
+
     def joint_base_deg(self) -> tuple[float, ...] | None:
         """Return the six angles that a step or jog of a joint starts from; ``None``: unknown.
 
@@ -387,6 +397,7 @@ class Authority:
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._cancelled_s, self.cancel_unheeded = None, False
         self._left_by_another = self._met_moving = self._cancel_repeated = False
+        self._cut_short = False
         self._limits = (None,) * 6
         self._overspeed.change_speed()
         return self.command
@@ -457,6 +468,7 @@ class Authority:
         self.holds = frozenset()
         self._replay_s = None
         self._left_by_another = self._met_moving = self._cancel_repeated = False
+        self._cut_short = True
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def cancel_is_due(self, now_s: float) -> bool:
@@ -481,6 +493,7 @@ class Authority:
         if reason in {End.SILENT, End.FORGOTTEN}:
             self._left_by_another = self._met_moving = True
         if reason is End.FORGOTTEN:
+            self._cut_short = False
             self._forget()
 
     @property

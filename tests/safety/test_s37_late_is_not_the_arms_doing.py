@@ -6,10 +6,14 @@ from armui.control.link.link_state import LinkState
 from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
+from armui.control.run.preflight import MOVED_SINCE_CHECK, Checks, Preflight
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
+from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import TrajectoryCommand
 from armui.telemetry.events import Level
+from armui.trajectory.library.run_options import RunOptions
+from armui.trajectory.points.program import Trajectory
 from tests.accepted import accepted
 from tests.control.jogger import fastest_deg_s
 from tests.control.test_replayer import wave
@@ -41,6 +45,13 @@ def ready(rig):
 def accused(rig):
     doubtful = rig.controller.operating_state.reference.doubtful
     return [code for code in rig.codes() if code in ACCUSED] + [f"J{joint}" for joint in doubtful]
+
+
+class AtOnce:
+    """Does work while it is asked for."""
+
+    def begin(self, then, work, *args):
+        then(work(*args))
 
 
 def set_out(rig, percent=30, target=FAR):
@@ -122,6 +133,37 @@ def test_a_run_that_was_ended_is_seen_at_rest_late(ready):
     ready.run(1.0)
     assert controller.player.phase is RunPhase.STOPPED
     assert accused(ready) == []
+
+
+@pytest.mark.parametrize("held_s", [0.3, 0.6, 1.5])
+def test_an_arm_halted_from_here_holds_nothing_of_another_host_after_a_silence(ready, held_s):
+    """It stands short of its target by our word, and nobody else was heard."""
+    set_out(ready)
+    ready.run(0.6)
+    assert ready.controller.halt_and_hold() is None
+    ready.run(2.0)
+    ready.late.starve(held_s)
+    steps = set()
+    for _ in range(100):
+        ready.run(0.02)
+        steps.add(ready.controller.recovery.step.kind)
+    assert StepKind.READY in steps
+    assert StepKind.LEFT_HELD_BACK not in steps
+
+
+@pytest.mark.parametrize("silent_s", [0.3, 0.6, 1.5])
+def test_a_checked_way_begins_where_the_arm_stood_before_a_silence(ready, silent_s):
+    """Not heard, it is not said to have moved; heard elsewhere it is."""
+    checked: list[Preflight] = []
+    content = Trajectory("Test", points=(to(FAR),))
+    Checks(ready.controller, AtOnce()).begin(content, RunOptions(), checked.append)
+    ready.late.starve(silent_s)
+    for _ in range(60):
+        assert checked[0].why_moved(ready.controller) is None
+        ready.run(0.02)
+    set_out(ready)
+    ready.run(0.6)
+    assert checked[0].why_moved(ready.controller).reason == MOVED_SINCE_CHECK
 
 
 def test_a_replay_is_not_behind_by_what_arrives_late(ready):

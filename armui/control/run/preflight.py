@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final, Protocol
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.held_shape import held_shape
 from armui.cell.parts import part_named
+from armui.control.link.link_state import LinkState
 from armui.control.operations.started import ARM_CHANGED
 from armui.control.parameters.arm_model import arm_model, start_deg
 from armui.trajectory.planning.check import Carried, CheckOutcome, CheckRequest, check, warm_up
@@ -165,8 +166,11 @@ class Preflight:
     def why_moved(self, controller: ArmController) -> Refusal | None:
         """Return how far the arm stands from where the way to the first point was checked.
 
-        ``None`` if it still stands there.
+        ``None`` if it still stands there, or if it is not heard: that shows no motion.
         """
+        online = controller.operating_state.link is LinkState.ONLINE
+        if not online or controller.state.angles_deg() is None:
+            return None
         pairs = zip(self.order.start_deg, start_deg(controller), strict=True)
         moved_deg = max(abs(there - here) for there, here in pairs)
         return MOVED_SINCE_CHECK(value=f"{moved_deg:.1f}") if moved_deg > _SAME_PLACE_DEG else None
