@@ -1,5 +1,8 @@
 """A run is told once, in the main window, whatever page or panel is seen."""
 
+import errno
+
+import can
 import pytest
 from PySide6.QtWidgets import QWidget
 
@@ -103,10 +106,21 @@ def test_its_end_goes_at_the_first_press_anywhere_which_does_what_it_is_for(runn
 def test_an_end_by_a_failure_is_told_until_the_next_press(running):
     driver = running.driver
     driver.controller.player._fail(SPEED_ZERO())
-    assert driver.read("run_text").endswith("ended early")
+    told = driver.read("run_text")
+    assert told.startswith("point 1 of 2 · ended early")
+    assert "The speed is set to 0 %" in told
     assert not strip(running)._ends.isActive()
     driver.click("menu_gripper")
     driver.wait(lambda: not strip(running).isVisible())
+
+
+def test_an_end_by_a_lost_connection_is_told_where_it_is_seen(running):
+    driver = running.driver
+    driver.unplug(can.CanOperationError("gone", error_code=errno.ENODEV))
+    driver.run(1.0)
+    assert driver.read("run_text") == "ended early · point 1 of 2"
+    assert "The CAN device is gone" in driver.read("recovery_text"), "the reason stands beside it"
+    assert driver.read("editor_message").startswith("Ended at row 1. The CAN device is gone.")
 
 
 def test_it_stands_in_the_place_of_a_step_that_says_no_more(running):

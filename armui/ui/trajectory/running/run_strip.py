@@ -46,6 +46,8 @@ _LEAST_PX: Final = 220
 _UNBOUNDED_PX: Final = 10_000
 END_MS: Final = 5000
 """The time that the end of a run is told; one that failed is told until the next press."""
+_SAID: Final = frozenset({RUN_SPEED_ZERO, RUN_STOPPED})
+"""The reasons that the word of the phase tells."""
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress})
 
 
@@ -216,13 +218,17 @@ class RunStrip(HasActs, Translated, QWidget):
     def _describe(self, progress: Progress) -> str:
         if progress.phase is RunPhase.IDLE:
             return ""
-        if self._beside:
-            return self._phase_word(progress)
         place = self.tr("{done} of the recording")
         if progress.count:
             place = self.tr("point {row} of {count}")
         done = fmt.percent(100.0 * progress.done)
-        parts = [place.format(row=progress.index + 1, count=progress.count, done=done)]
+        place = place.format(row=progress.index + 1, count=progress.count, done=done)
+        reason = progress.refusal if progress.phase in OVER else self._refusal
+        told = reason is not None and reason.reason not in _SAID
+        if self._beside:
+            word = self._phase_word(progress)
+            return f"{word} · {place}" if told and progress.phase in OVER else word
+        parts = [place]
         if progress.cycles != 1:
             total = "∞" if progress.cycles == ENDLESS else progress.cycles
             text = self.tr("cycle {cycle} of {cycles}")
@@ -233,9 +239,8 @@ class RunStrip(HasActs, Translated, QWidget):
         parts.append(self._phase_word(progress))
         if progress.percent is not None:
             parts.append(self._speed(progress.percent, progress.tool_mm_s))
-        said = self._refusal is not None and self._refusal.reason == RUN_SPEED_ZERO
-        if self._refusal is not None and progress.phase not in OVER and not said:
-            parts.append(words.refusal(self._refusal))
+        if told:
+            parts.append(words.why_not(reason))
         return " · ".join(parts)
 
     def _speed(self, percent: int, tool_mm_s: float) -> str:
