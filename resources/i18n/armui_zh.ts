@@ -7791,6 +7791,10 @@ at 100 %</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
     </message>
     <message>
+        <source>Click: checks it, and lists below what is found.</source>
+        <translation>点击：检查此轨迹，并在下方列出发现的问题。</translation>
+    </message>
+    <message>
         <source>! other arm</source>
         <translation>! 其他机械臂</translation>
     </message>

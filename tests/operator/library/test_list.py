@@ -11,6 +11,7 @@ from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
+from armui.ui.trajectory.library.library_model import LibraryColumn
 from armui.viewport.path_picture import NOTHING
 from tests.app_driver import Slow
 from tests.operator.library.actions import POINT, LibraryDriver
@@ -155,6 +156,26 @@ def test_a_mark_is_for_the_arm_it_was_made_for(driver):
     assert marks(driver)["bent"] == "—"
     driver.app_driver.connect(PiperModel.PIPER)
     assert marks(driver)["bent"] == "✕ errors"  # it still holds for that one
+
+
+def test_what_a_check_found_is_read_by_a_click_on_its_mark(driver):
+    """Nothing is sent, and it is checked no second time while it is listed."""
+    away = Waypoint(MoveMode.MOVE_P, (900.0, 0.0, 200.0, 0.0, 85.0, 0.0))
+    driver.library.save(Trajectory("away", points=(POINT, away)))
+    driver.app_driver.ready()
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "away")
+    driver.window.refresh()
+    driver.app_driver.run_until(lambda: marks(driver)["away"] == "✕ errors")
+    row = driver.names().index("away")
+    cell = driver.table.visualRect(driver.table.model().index(row, LibraryColumn.CHECK)).center()
+    driver.app_driver.heard()
+    QTest.mouseClick(driver.table.viewport(), Qt.MouseButton.LeftButton, pos=cell)
+    found = driver.window.findChild(QListWidget, "findings_list")
+    driver.app_driver.run_until(lambda: found.isVisible() and found.count() > 0)
+    assert found.item(0).text().startswith("✕ Error")
+    assert not driver.app_driver.controller.player.running
+    assert driver.app_driver.heard() == []
 
 
 def test_where_the_arm_stands_is_no_mark_of_a_trajectory(driver):

@@ -126,6 +126,10 @@ class LibraryModel(TableModel):
         """Return how the check ended that holds for this arm."""
         return entry.check if entry.checked_for == self._holds_for(entry) else None
 
+    def has_findings(self, entry: IndexEntry) -> bool:
+        """Return whether the check that holds for this arm has found something."""
+        return self._mark(entry) in {"warnings", "errors"}
+
     def _holds_for(self, entry: IndexEntry) -> str:
         """Return what a check or an estimate must have been made for to hold now."""
         if self._arm is None:
@@ -196,6 +200,8 @@ class LibraryModel(TableModel):
             return entry
         if role == Qt.ItemDataRole.ToolTipRole:
             tip = self._length_tip(entry) if column is LibraryColumn.LENGTH else ""
+            if column is LibraryColumn.CHECK and self.has_findings(entry):
+                tip = self.tr("Click: checks it, and lists below what is found.")
             return tip or "\n".join(filter(None, (self._folder_tip(entry), self._tip(entry))))
         if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
             return RIGHT

@@ -43,7 +43,12 @@ from armui.ui.trajectory.library.library_actions import LibraryActions, UndoButt
 from armui.ui.trajectory.library.library_bar import LibraryBar
 from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
-from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryFilter, LibraryModel
+from armui.ui.trajectory.library.library_model import (
+    ENTRY_ROLE,
+    LibraryColumn,
+    LibraryFilter,
+    LibraryModel,
+)
 from armui.ui.trajectory.library.library_presence import (
     FolderTimes,
     LibraryPresence,
@@ -200,6 +205,7 @@ class LibraryPage(Page):
         self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
+        self._table.clicked.connect(self._on_click)
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._actions.rename)
@@ -410,6 +416,13 @@ class LibraryPage(Page):
 
     def _on_double_click(self, index: QModelIndex) -> None:
         self.open_trajectory(index.data(ENTRY_ROLE).name)
+
+    def _on_click(self, index: QModelIndex) -> None:
+        """List what a check finds where the mark of one that found something is clicked."""
+        entry = index.data(ENTRY_ROLE)
+        told = entry.name == self._found_of or self._run_bar.is_checking
+        if index.column() == LibraryColumn.CHECK and self._model.has_findings(entry) and not told:
+            self._run_bar.check()
 
     def _open_chosen(self) -> None:
         chosen = self._chosen_names()
