@@ -1,12 +1,14 @@
 """S37: what is late in arriving is never told as the arm's doing."""
 
+from typing import Any
+
 import pytest
 
 from armui.control.link.link_state import LinkState
 from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
-from armui.control.run.preflight import MOVED_SINCE_CHECK, Checks, Preflight
+from armui.control.run.preflight import MOVED_SINCE_CHECK, Checks
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import StepKind
@@ -14,7 +16,9 @@ from armui.protocol.codes import TrajectoryCommand
 from armui.telemetry.events import Level
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.points.program import Trajectory
+from armui.ui.background import Background
 from tests.accepted import accepted
+from tests.app_driver import AtOnce
 from tests.control.jogger import fastest_deg_s
 from tests.control.test_replayer import wave
 from tests.control.under_way import run_of, to
@@ -45,13 +49,6 @@ def ready(rig):
 def accused(rig):
     doubtful = rig.controller.operating_state.reference.doubtful
     return [code for code in rig.codes() if code in ACCUSED] + [f"J{joint}" for joint in doubtful]
-
-
-class AtOnce:
-    """Does work while it is asked for."""
-
-    def begin(self, then, work, *args):
-        then(work(*args))
 
 
 def set_out(rig, percent=30, target=FAR):
@@ -154,9 +151,10 @@ def test_an_arm_halted_from_here_holds_nothing_of_another_host_after_a_silence(r
 @pytest.mark.parametrize("silent_s", [0.3, 0.6, 1.5])
 def test_a_checked_way_begins_where_the_arm_stood_before_a_silence(ready, silent_s):
     """Not heard, it is not said to have moved; heard elsewhere it is."""
-    checked: list[Preflight] = []
+    checked: list[Any] = []
     content = Trajectory("Test", points=(to(FAR),))
-    Checks(ready.controller, AtOnce()).begin(content, RunOptions(), checked.append)
+    Checks(ready.controller, Background(AtOnce())).begin(content, RunOptions(), checked.append)
+    ready.run_until(lambda: bool(checked))
     ready.late.starve(silent_s)
     for _ in range(60):
         assert checked[0].why_moved(ready.controller) is None

@@ -186,7 +186,7 @@ class FakeMotion:
         self.setpoint_deg: tuple[float, ...] | None = None
         self.lagging = False
 
-    def set_speed_percent(self, percent: float) -> Refusal | None:
+    def set_speed_percent(self, percent: int) -> Refusal | None:
         controller = self._controller
         refusal = controller._asked("set_speed_percent", percent)
         if refusal is None:
