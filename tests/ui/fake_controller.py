@@ -190,7 +190,7 @@ class FakeMotion:
         controller = self._controller
         refusal = controller._asked("set_speed_percent", percent)
         if refusal is None:
-            controller.be(replace(controller.operating_state, speed_percent=round(percent)))
+            controller.be(replace(controller.operating_state, speed_percent=percent))
         return refusal
 
     def jog(self, joint: int, delta_deg: float) -> Refusal | None:
