@@ -458,6 +458,8 @@ class SideMenu(Translated, QWidget):
             button.setChecked(number == place)
         if self.shows_setting:
             self._show_group(shown=True)
+        if place is not None:
+            self._area.ensureWidgetVisible(self._buttons[place], 0, 0)
         self._recolor()
 
     @property

@@ -311,7 +311,7 @@ class EnableButton(Translated, QAbstractButton):
             x = left + (joint - 1) * (_MARK_PX + _GAP_PX) + _MARK_PX / 2
             center = QPointF(x, self.height() / 2)
             if joint in self._faulty:
-                _draw_warning(painter, colors, center)
+                _draw_fault(painter, colors, center)
             else:
                 _draw_mark(painter, colors, center, joint, enabled)
         painter.end()
@@ -339,9 +339,9 @@ def _draw_mark(
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(joint))
 
 
-def _draw_warning(painter: QPainter, colors: Colors, center: QPointF) -> None:
-    painter.setPen(QPen(QColor(colors.warn), _RING_PX))
-    painter.setBrush(QColor(colors.warn_pale))
+def _draw_fault(painter: QPainter, colors: Colors, center: QPointF) -> None:
+    painter.setPen(QPen(QColor(colors.stop_ink), _RING_PX))
+    painter.setBrush(QColor(colors.stop_pale))
     radius = (_MARK_PX - _RING_PX) / 2
     painter.drawEllipse(center, radius, radius)
     box = QRectF(center.x() - radius, center.y() - radius, 2 * radius, 2 * radius)

@@ -378,7 +378,7 @@ class JointStatusPage(Page):
             number = text_label()
             number.setText(str(joint))
             cell = (int(_LEFT_PX), 0, _BETWEEN_PX, 0)
-            row.addLayout(in_row(number, STRETCH, button, spacing=0, margins=cell), 1)
+            row.addLayout(in_row(number, button, STRETCH, spacing=0, margins=cell), 1)
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the quantities of the cell at a place of the page."""
