@@ -141,7 +141,7 @@ def test_the_detail_stands_beside_the_rows_and_goes_when_the_newest_are_followed
     assert events.window.detail.isVisible()
     assert events.table.visualRect(index).top() == top_px
     events.driver.click(events.bar.follow)
-    assert not events.window.detail.isVisible()
+    assert events.window.detail.text() == ""
 
 
 def test_the_curves_of_an_event_are_in_front_of_the_events(events):

@@ -6,7 +6,12 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QMenu
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QBoxLayout,
+    QHeaderView,
+    QMenu,
+)
 
 from armui.ui.actions.act import HasActs
 from armui.ui.actions.keys import listen_for
@@ -21,7 +26,7 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
-    from PySide6.QtGui import QShowEvent
+    from PySide6.QtGui import QResizeEvent, QShowEvent
 
     from armui.control.arm_controller import ArmController
     from armui.control.events import Level
@@ -32,6 +37,10 @@ _LOOK_MS: Final = 200
 _LEAST_PX: Final = 64
 """The least height of the table: its titles and three rows."""
 _DETAIL_PX: Final = 260
+_BESIDE_PX: Final = 960
+"""In a narrower page the detail beside the table would leave no room for the events."""
+_DETAIL_LINES: Final = 4
+_UNBOUNDED_PX: Final = 10_000
 
 
 class EventPage(Page):
@@ -66,10 +75,9 @@ class EventPage(Page):
         self._message = named("event_message", MessageLine())
         self._message.hide()
         self.body.setSpacing(4)
-        self.detail.setFixedWidth(_DETAIL_PX)
         self.detail.hide()
-        # beside the table no row moves under the pointer when the detail comes
-        fill(self.body, self.bar, (in_row((self.table, 1), self.detail, spacing=8), 1))
+        self._table_and_detail = in_row((self.table, 1), self.detail, spacing=8)
+        fill(self.body, self.bar, (self._table_and_detail, 1))
         self.body.addWidget(self._message)
         self._timer = SeenTimer(self, _LOOK_MS, self.refresh)
         self._connect()
@@ -128,7 +136,25 @@ class EventPage(Page):
         text = "" if entry is None else "\n".join(details(entry))
         if self.detail.text() != text:
             self.detail.setText(text)
-            self.detail.setVisible(bool(text))
+        self.detail.setVisible(bool(text) or self._is_narrow)
+
+    @property
+    def _is_narrow(self) -> bool:
+        return self.width() < _BESIDE_PX
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Put the detail where no row moves under the pointer when it comes: beside, or below."""
+        super().resizeEvent(event)
+        way = QBoxLayout.Direction
+        if self._is_narrow:
+            self._table_and_detail.setDirection(way.TopToBottom)
+            self.detail.setFixedSize(_UNBOUNDED_PX, _DETAIL_LINES * self.fontMetrics().height())
+            self.detail.setMinimumWidth(0)
+        else:
+            self._table_and_detail.setDirection(way.LeftToRight)
+            self.detail.setFixedSize(_DETAIL_PX, _UNBOUNDED_PX)
+            self.detail.setMinimumHeight(0)
+        self._show_detail()
 
     def _on_reset(self) -> None:
         self._show_newest()
