@@ -12,7 +12,7 @@ from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Reason, Refusal
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.follow import follow
-from armui.kinematics.poses import Joints, Matrix, Pose
+from armui.kinematics.poses import Joints, Matrix, Pose, matrix_to_pose
 from armui.kinematics.singularity import fine_steps, leaps
 from armui.kinematics.tool_path import ToolPath
 
@@ -86,6 +86,10 @@ def led_joints(
         gone_percent = round(100.0 * index / (len(joints) - 1))
         here = joints[index]
         if np.isnan(here[0]):
+            end = matrix_to_pose(path.poses(np.array([1.0]))[0])
+            missing_mm = round(kinematics.missing_mm(end), 1)  # then no other way leads there
+            if missing_mm > 0.0:
+                return POSE_OUT_OF_REACH(missing=missing_mm)
             return PATH_OUT_OF_REACH(gone=gone_percent)
         if singular[index - 1]:
             joint = int(np.argmax(np.abs(here - joints[index - 1]))) + 1
