@@ -77,11 +77,15 @@ class CdrWriter:
         if values:
             self.floats(values, name)
 
-    def header(self, time_ns: int, frame_id: str, name: str = "stamp") -> None:
-        """Write a std_msgs/Header."""
+    def time(self, time_ns: int, name: str = "") -> None:
+        """Write a builtin_interfaces/Time."""
         seconds, rest = divmod(time_ns, 1_000_000_000)
         self._put("i", seconds, name=name)
         self._put("I", rest)
+
+    def header(self, time_ns: int, frame_id: str, name: str = "stamp") -> None:
+        """Write a std_msgs/Header."""
+        self.time(time_ns, name)
         self.text(frame_id)
 
 
