@@ -34,6 +34,7 @@ from armui.control.safety.kept_references import KeptReferences
 from armui.control.sessions.choices import SessionChoices, choices_of
 from armui.ending import SystemEnd
 from armui.interface.interface import Interface, Shelf
+from armui.live.live_stream import LiveStream
 from armui.protocol.generation import PiperModel
 from armui.setting_fields import Settings
 from armui.settings import SettingsStore, default_path
@@ -205,7 +206,7 @@ class Program:
             default the workers.
 
     Attributes:
-        controller, view, window, interface: Its main objects.
+        controller, view, window, interface, live: Its main objects.
         ended: True if, after `shutdown`, no thread of ours runs any more.
         closed: Set when the device is closed, as far as its driver lets it.
     """
@@ -227,8 +228,7 @@ class Program:
         socket: Path | None = None,
         for_clients: Executor | None = None,
     ) -> None:
-        self._app = app
-        self._store = store
+        self._app, self._store = app, store
         self._translator = Translator(app)
         self._settings = settings = store.settings
         self._translator.set_language(settings.language)
@@ -244,11 +244,13 @@ class Program:
             *(controller, socket or paths.runtime() / "api.sock", clock),
             shelf=Shelf(Background(self._for_clients, files), partial(open_library, folder, files)),
         )
+        self.live = LiveStream(controller, clock)
         self.window = MainWindow(
             *(self.controller, self.view, store, workers, trajectories),
             files=files,
             hand=hand,
             interface=self.interface,
+            live=self.live,
         )
         apply_theme(app, Theme(settings.theme))
         self._stop_shortcut = StopShortcut(app, self.controller, self.window)
@@ -284,7 +286,7 @@ class Program:
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
         # Begun by the event loop, once the window stands.
-        QTimer.singleShot(0, self._relay, self._switch_interface)
+        QTimer.singleShot(0, self._relay, self._switch_served)
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
             QTimer.singleShot(0, self._relay, keep)
@@ -323,9 +325,11 @@ class Program:
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
 
-    def _switch_interface(self) -> None:
+    def _switch_served(self) -> None:
         if not self._is_down:
-            self.interface.switch(on=self._store.settings.interface)
+            now = self._store.settings
+            self.interface.switch(on=now.interface)
+            self.live.switch(on=now.live, port=now.live_port, for_others=now.live_for_others)
 
     def _meet(self, settings: Path, place: Path) -> None:
         self._instances = InstanceRegistry(self.controller, settings, place)
@@ -345,6 +349,7 @@ class Program:
         self._stop_shortcut.deleteLater()
         served_no_more = self.interface.end()
         self.ended = self.controller.shutdown() and served_no_more
+        self.ended = self.live.end() and self.ended
         self.closed.set()
         if self._event_keeper is not None:
             self._event_keeper.close()
@@ -387,7 +392,7 @@ class Program:
         self.controller.jog_floor.lowest_mm = settings.jog_floor_mm
         self.controller.cell.use_own_tool(settings.tool)
         self.controller.on_sessions_chosen()
-        self.interface.switch(on=settings.interface)
+        self._switch_served()
         self._settings = settings
 
 
@@ -438,7 +443,8 @@ def _run(options: StartOptions) -> int:
     QApplication.setDesktopFileName("org.armui.armui")
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins
-    chosen: dict[str, object] = {"interface": True} if options.api_on else {}
+    served = {"interface": options.api_on, "live": options.live_on}
+    chosen: dict[str, object] = {name: True for name, on in served.items() if on}
     if options.language is not None:
         chosen["language"] = options.language
     spoken = language_of_system(interface=QLocale.system().uiLanguages())

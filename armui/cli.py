@@ -150,6 +150,7 @@ def _run_window(parser: CommandParser, options: argparse.Namespace) -> int:
             file=file,
             language=options.lang,
             api_on=getattr(options, "api_on", False),
+            live_on=getattr(options, "live_on", False),
         )
     )
 
@@ -230,6 +231,11 @@ def _parser() -> CommandParser:
         "--api-on",
         action="store_true",
         help="serve the local interface for your scripts in this run; you grant what moves the arm",
+    )
+    parser.add_argument(
+        "--live-on",
+        action="store_true",
+        help="serve the live stream for Foxglove in this run; nobody can send anything by it",
     )
     simulated = parser.add_argument_group("the simulated arm")
     simulated.add_argument("--sim", action="store_true", help="connect to it")

@@ -49,6 +49,7 @@ JOG_STEP_DEG: Final = Within(0.001, 30.0)
 JOG_FLOOR_MM: Final = Whole(-500, 500)
 ROTATE_MB: Final = Whole(1, 4000)
 """The sizes of a file of a session, up to one that every file system supports."""
+LIVE_PORT: Final = Whole(1024, 65_535)
 
 
 def why_no_jog_step(value: object) -> Refusal:
@@ -187,6 +188,29 @@ class Settings:
         ),
     ] = False
     """True if the local interface is served."""
+
+    live: Annotated[
+        bool,
+        Setting(
+            "Live stream for Foxglove",
+            tip="Shows what is measured, live, in Foxglove and other programs that speak its "
+            "WebSocket protocol. They only watch. Every program, web page and user of this "
+            "computer can.",
+        ),
+    ] = False
+    """True if the live stream is served."""
+
+    live_port: Annotated[int, Setting("Port of the live stream", LIVE_PORT)] = 8766
+    """Its TCP port; 8765, Foxglove's own, is left to other programs."""
+
+    live_for_others: Annotated[
+        bool,
+        Setting(
+            "Live stream for other computers, too",
+            tip="Everybody in the network can watch then, without a password and unencrypted.",
+        ),
+    ] = False
+    """True if it is served to other computers, too."""
 
     models: Annotated[
         Mapping[str, str], Setting("Models of the arms", OfEach(AnyOf(tuple(PiperModel))))

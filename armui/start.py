@@ -22,6 +22,7 @@ class StartOptions:
         file: The trajectory to open in an editor.
         language: The language of this run, instead of the one in the settings.
         api_on: True to serve the local interface in this run, whatever the settings say.
+        live_on: True to serve the live stream in this run, likewise.
     """
 
     sim_generation: int | None = None
@@ -35,3 +36,4 @@ class StartOptions:
     file: Path | None = None
     language: Language | None = None
     api_on: bool = False
+    live_on: bool = False

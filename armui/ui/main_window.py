@@ -21,7 +21,7 @@ from armui.ui.actions.window_actions import WindowActions
 from armui.ui.background import Background
 from armui.ui.gamepad.gamepad_strip import GamepadStrip
 from armui.ui.interface.client_question import ClientQuestions
-from armui.ui.interface.interface_mark import InterfaceMark
+from armui.ui.interface.interface_mark import InterfaceMark, LiveMark
 from armui.ui.interface.lease_bar import LeaseBar
 from armui.ui.panels.jogging.motion_panel import MotionPanel
 from armui.ui.picture.picture_work import PictureWork
@@ -73,6 +73,7 @@ if TYPE_CHECKING:
     from armui.arm.refusal import Refusal
     from armui.control.arm_controller import ArmController
     from armui.interface.interface import Interface
+    from armui.live.live_stream import LiveStream
     from armui.setting_fields import Settings
     from armui.settings import SettingsStore
     from armui.system.failures import Failure
@@ -95,6 +96,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         hand: Gives access to the hand at the simulated arm of this program; by default
             none.
         interface: The local interface.
+        live: The live stream.
 
     Attributes:
         window_actions: Opens the command palette, and collects its commands.
@@ -113,6 +115,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         files: Executor | None = None,
         hand: Callable[[], HandGuide | None] = lambda: None,
         interface: Interface,
+        live: LiveStream,
     ) -> None:
         super().__init__()
         self._controller = controller
@@ -177,6 +180,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self.window_actions = WindowActions(self, controller, preferences, background)
         self._status_bar.add_mark(ModelMark(controller, self._opening("connect")))
         self._status_bar.add_mark(InterfaceMark(interface, self._opening("interface")))
+        self._status_bar.add_mark(LiveMark(live, self._opening("settings")))
         self._questions = ClientQuestions(interface, controller, self)
         self.page_actions = PageActions(self, self._workspace, self.pages, self._drawer)
         self._status_bar.add_mark(self.window_actions.language_button)

@@ -2198,6 +2198,10 @@
         <translation>本次运行开启本地接口，供您的脚本使用；由您授予机械臂的操作</translation>
     </message>
     <message>
+        <source>serve the live stream for Foxglove in this run; nobody can send anything by it</source>
+        <translation>本次运行提供 Foxglove 实时数据流；别人不能通过它发送任何内容</translation>
+    </message>
+    <message>
         <source>python-can&apos;s name of the adapter, e.g. socketcan</source>
         <translation>python-can 中适配器的名称，如 socketcan</translation>
     </message>
@@ -8009,6 +8013,33 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
 </context>
 <context>
+    <name>LiveMark</name>
+    <message>
+        <source>Live stream not served</source>
+        <translation>实时数据流未提供</translation>
+    </message>
+    <message>
+        <source>Live, open to the network: {address}</source>
+        <translation>实时数据流，对网络开放：{address}</translation>
+    </message>
+    <message>
+        <source>Live: {address}</source>
+        <translation>实时数据流：{address}</translation>
+    </message>
+    <message>
+        <source>A program watches.</source>
+        <translation>有程序正在观看。</translation>
+    </message>
+    <message>
+        <source>Nobody watches.</source>
+        <translation>无人观看。</translation>
+    </message>
+    <message>
+        <source>Frames dropped, as they were not sent in time: {lost}. How often a program was seen not to keep up, and missed messages: {behind}.</source>
+        <translation>因来不及发送而丢弃的帧：{lost}。发现观看程序跟不上、错过消息的次数：{behind}。</translation>
+    </message>
+</context>
+<context>
     <name>LiveStrip</name>
     <message>
         <source>The arm that is connected now:</source>
@@ -9069,6 +9100,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The operator has let “{client}” do it: {operation}</source>
         <translation>操作员已允许“{client}”：{operation}</translation>
+    </message>
+    <message>
+        <source>{reason}</source>
+        <translation>{reason}</translation>
     </message>
     <message>
         <source>Park position set: {angles}</source>
@@ -12416,6 +12451,22 @@ The other program must have ended.</source>
         <translation>正在为您检查另一条轨迹。请等待其结果。</translation>
     </message>
     <message>
+        <source>The live stream needs the package foxglove-sdk: pip install &apos;armui[foxglove]&apos;, then switch it off and on. A program that was not installed by pip cannot have it. ({text})</source>
+        <translation>实时数据流需要软件包 foxglove-sdk：请运行 pip install &apos;armui[foxglove]&apos;，然后关闭再打开。不是用 pip 安装的程序无法使用。（{text}）</translation>
+    </message>
+    <message>
+        <source>Another program has port {port}: the live stream is not served. Choose another port in the settings, or end that program and switch the stream off and on.</source>
+        <translation>端口 {port} 被其他程序占用，实时数据流未提供。请在设置中另选端口，或结束该程序后关闭再打开数据流。</translation>
+    </message>
+    <message>
+        <source>The live stream cannot be served at port {port}: {text}</source>
+        <translation>无法在端口 {port} 提供实时数据流：{text}</translation>
+    </message>
+    <message>
+        <source>The process of the live stream has ended by itself. Switch it off and on.</source>
+        <translation>实时数据流的进程自行结束了。请关闭再打开。</translation>
+    </message>
+    <message>
         <source>The log has no times: its frames stand 1 ms apart in their order. No time in it is measured, nor any speed.</source>
         <translation>日志中没有时间：各帧按顺序每隔 1 ms 排列。其中的时间和速度都不是测得的。</translation>
     </message>
@@ -14357,6 +14408,26 @@ The other program must have ended.</source>
     <message>
         <source>Scripts and other programs of yours may read the arm, and ask you for it. Other users of this computer and other computers cannot.</source>
         <translation>您的脚本和其他程序可读取机械臂的状态，并向您申请操作。本机的其他用户和其他电脑不能使用。</translation>
+    </message>
+    <message>
+        <source>Live stream for Foxglove</source>
+        <translation>Foxglove 实时数据流</translation>
+    </message>
+    <message>
+        <source>Shows what is measured, live, in Foxglove and other programs that speak its WebSocket protocol. They only watch. Every program, web page and user of this computer can.</source>
+        <translation>在 Foxglove 和其他支持其 WebSocket 协议的程序中实时显示测得的数据。它们只能观看。本机的任何程序、网页和用户都能观看。</translation>
+    </message>
+    <message>
+        <source>Port of the live stream</source>
+        <translation>实时数据流的端口</translation>
+    </message>
+    <message>
+        <source>Live stream for other computers, too</source>
+        <translation>实时数据流也供其他电脑观看</translation>
+    </message>
+    <message>
+        <source>Everybody in the network can watch then, without a password and unencrypted.</source>
+        <translation>打开后网络中的任何人都能观看，没有密码，也不加密。</translation>
     </message>
     <message>
         <source>Models of the arms</source>

@@ -22,6 +22,7 @@ from armui.arm.state import ArmState
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.interface.interface import Interface
+from armui.live.live_stream import LiveStream
 from armui.protocol.generation import PiperModel
 from armui.settings import SettingsStore
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -116,8 +117,13 @@ def interface(controller, tmp_path):
 
 
 @pytest.fixture
-def window(qtbot, controller, view, store, interface):
-    window = MainWindow(controller, view, store, AtOnce(), interface=interface)
+def live(controller):
+    return LiveStream(controller, time.monotonic)
+
+
+@pytest.fixture
+def window(qtbot, controller, view, store, interface, live):
+    window = MainWindow(controller, view, store, AtOnce(), interface=interface, live=live)
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     window.resize(1280, 800)
     window.show()
@@ -188,10 +194,10 @@ def test_a_hidden_window_does_no_work_and_catches_up(controller, view, window):
     assert view.joints[0] == (9.0,) * 6
 
 
-def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store, interface):
+def test_the_view_chosen_last_is_the_first_one(qtbot, controller, store, interface, live):
     store.change(picture_direction="side", picture_orthographic=True, picture_tool_frame=False)
     view: Any = FakeView()
-    window = MainWindow(controller, view, store, AtOnce(), interface=interface)
+    window = MainWindow(controller, view, store, AtOnce(), interface=interface, live=live)
     qtbot.addWidget(window, before_close_func=lambda window: setattr(window, "_may_close", True))
     assert view.looked_from == [ViewDirection.SIDE]
     assert (view.orthographic, view.tool_frame) == (True, False)

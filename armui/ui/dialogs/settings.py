@@ -24,7 +24,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.setting_checks import JOG_STEP_NOT_A_NUMBER
-from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG
+from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG, LIVE_PORT
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
@@ -48,7 +48,7 @@ _SIZE_PX: Final = (680, 500)
 _STEP_WIDTH_PX: Final = 90
 _LANGUAGES: Final = (("zh", "中文"), ("en", "English"))
 """The languages, each in its own name, so that its readers find it."""
-_BOXES: Final = ("stop_again",)
+_BOXES: Final = ("stop_again", "live", "live_for_others")
 """The settings with a check box, from top to bottom."""
 
 
@@ -98,6 +98,7 @@ class SettingsDialog(ArmDialog):
             box.clicked.connect(partial(self._on_box, name))
         self.jog_floor_box.clicked.connect(self._on_jog_floor)
         self.jog_floor_spin.valueChanged.connect(self._on_jog_floor)
+        self.live_port_spin.valueChanged.connect(self._on_live_port)
         self.browse_button.clicked.connect(self._on_browse)
         self.built_in_button.clicked.connect(self._on_built_in)
         self.diagnosis_button.clicked.connect(self.diagnosis_wanted)
@@ -134,6 +135,10 @@ class SettingsDialog(ArmDialog):
         self.jog_floor_spin.setSuffix(" mm")
         self.jog_floor_spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.jog_floor_spin.setKeyboardTracking(False)
+        self.live_port_spin = named("live_port_spin", QSpinBox())
+        self.live_port_spin.setRange(LIVE_PORT.least, LIVE_PORT.most)
+        self.live_port_spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.live_port_spin.setKeyboardTracking(False)
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)
@@ -148,7 +153,7 @@ class SettingsDialog(ArmDialog):
             self.language_box.addItem(name, code)
         for code in ("light", "dark", "system"):
             self.theme_box.addItem("", code)
-        for field in (self.jog_step_edit, self.jog_floor_spin):
+        for field in (self.jog_step_edit, self.jog_floor_spin, self.live_port_spin):
             field.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._jog_hint.setProperty("rank", "muted")
@@ -169,8 +174,9 @@ class SettingsDialog(ArmDialog):
             place = grid.rowCount()
             grid.addWidget(label, place, 0)
             grid.addLayout(in_row(button, (state, 1), spacing=12), place, 1)
-        for box in self._boxes.values():
-            grid.addWidget(box, grid.rowCount(), 1)
+        for name, box in self._boxes.items():
+            beside = (self.live_port_spin,) if name == "live" else ()
+            grid.addLayout(in_row(box, *beside, STRETCH, spacing=8), grid.rowCount(), 1)
         self._message = MessageLine()
         fill(self.body, grid, STRETCH, self._message)
         told = (self.diagnosis_button, self.about_arm_button, self.about_button, self.faults_button)
@@ -193,6 +199,7 @@ class SettingsDialog(ArmDialog):
         for name, box in {**self._boxes, "jog_floor_mm": self.jog_floor_box}.items():
             caption(box, setting_label(name).text(), tip=setting_tip(name).text())
         describe(self.jog_floor_spin, self.jog_floor_box.text(), self.jog_floor_box.toolTip())
+        describe(self.live_port_spin, setting_label("live_port").text())
         self.browse_button.setText(self.tr("Browse…"))
         self.built_in_button.setText(self.tr("Use the built-in one"))
         self._gamepad_label.setText(self.tr("Gamepad, SpaceMouse"))
@@ -234,6 +241,8 @@ class SettingsDialog(ArmDialog):
         if now.jog_floor_mm is not None:
             with QSignalBlocker(self.jog_floor_spin):
                 self.jog_floor_spin.setValue(now.jog_floor_mm)
+        with QSignalBlocker(self.live_port_spin):
+            self.live_port_spin.setValue(now.live_port)
         if not self._jog_step_wrong:
             self.jog_step_edit.setText(f"{now.jog_step_deg:g}°")
         model = model_data(self._controller.operating_state.model).name
@@ -272,6 +281,9 @@ class SettingsDialog(ArmDialog):
         self.jog_floor_spin.setEnabled(on)
         height = self.jog_floor_spin.value() if on else None
         self._show_problem(self._store.change(jog_floor_mm=height))
+
+    def _on_live_port(self, port: int) -> None:
+        self._show_problem(self._store.change(live_port=port))
 
     def _on_gamepad(self) -> None:
         if self._gamepad_dialog is None:

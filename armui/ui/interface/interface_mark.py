@@ -1,4 +1,4 @@
-"""The mark in the status bar that the local interface is on, or cannot be."""
+"""The marks in the status bar that the interface or the live stream is on, or cannot be."""
 
 from __future__ import annotations
 
@@ -18,12 +18,45 @@ if TYPE_CHECKING:
 
     from armui.interface.interface import Interface
     from armui.interface.interface_view import InterfaceView
+    from armui.live.live_stream import LiveStream
+    from armui.live.messages import LiveView
 
 _ICON_PX: Final = 14
 
 
-class InterfaceMark(Translated, QToolButton):
-    """Shown while the interface is on, with the number of programs; a click opens its window.
+class ServedMark(Translated, QToolButton):
+    """Shown while something is served to other programs; a click opens its window.
+
+    Args:
+        name: Its object name.
+        open_window: Opens the window.
+    """
+
+    def __init__(self, name: str, open_window: Callable[[], object]) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setIconSize(QSize(_ICON_PX, _ICON_PX))
+        self.setAutoRaise(True)
+        self.setProperty("narrow", True)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        self.clicked.connect(lambda _checked: open_window())
+
+    def _recolor(self) -> None:
+        self.retranslate_ui()
+
+    def _say(self, text: str, tip: str, *, warns: bool) -> None:
+        self.setText(text)
+        self.setToolTip(tip)
+        self.setAccessibleName(text)
+        colors = colors_of(self)
+        name, ink = ("warning", colors.warn) if warns else ("linkage", colors.muted)
+        self.setIcon(icons.icon(name, ink, _ICON_PX))
+        set_rank(self, "warning" if warns else "muted")
+
+
+class InterfaceMark(ServedMark):
+    """Shown while the interface is on, with the number of programs.
 
     Args:
         interface: The interface.
@@ -31,24 +64,14 @@ class InterfaceMark(Translated, QToolButton):
     """
 
     def __init__(self, interface: Interface, open_window: Callable[[], object]) -> None:
-        super().__init__()
+        super().__init__("interface_mark", open_window)
         self._interface = interface
-        self.setObjectName("interface_mark")
-        self.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        self.setAutoRaise(True)
-        self.setProperty("narrow", True)
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
         interface.changed.connect(self._show)
-        self.clicked.connect(lambda _checked: open_window())
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self._show(self._interface.view)
-
-    def _recolor(self) -> None:
-        self.retranslate_ui()
 
     def _show(self, view: InterfaceView) -> None:
         problem = view.problem
@@ -58,10 +81,39 @@ class InterfaceMark(Translated, QToolButton):
             tip = self.tr("The local interface is on; so many programs are connected.")
         else:
             text, tip = self.tr("Interface not served"), words.refusal(problem)
-        self.setText(text)
-        self.setToolTip(tip)
-        self.setAccessibleName(text)
-        colors = colors_of(self)
-        name, ink = ("linkage", colors.muted) if problem is None else ("warning", colors.warn)
-        self.setIcon(icons.icon(name, ink, _ICON_PX))
-        set_rank(self, "muted" if problem is None else "warning")
+        self._say(text, tip, warns=problem is not None)
+
+
+class LiveMark(ServedMark):
+    """Shown while the live stream is on, with its address.
+
+    Args:
+        live: The stream.
+        open_window: Opens the window with its switch.
+    """
+
+    def __init__(self, live: LiveStream, open_window: Callable[[], object]) -> None:
+        super().__init__("live_mark", open_window)
+        self._live = live
+        live.changed.connect(self._show)
+        self.retranslate_ui()
+
+    def retranslate_ui(self) -> None:
+        """Set all texts in the operator's language."""
+        self._show(self._live.view)
+
+    def _show(self, view: LiveView) -> None:
+        state = view.state
+        self.setVisible(state.on or state.problem is not None)
+        if state.problem is not None:
+            text, tip = self.tr("Live stream not served"), words.refusal(state.problem)
+        else:
+            text = self.tr("Live, open to the network: {address}") if view.for_others else ""
+            text = (text or self.tr("Live: {address}")).format(address=view.address)
+            tip = self.tr("A program watches.") if state.watched else self.tr("Nobody watches.")
+            if view.lost or state.behind:
+                tip += "\n" + self.tr(
+                    "Frames dropped, as they were not sent in time: {lost}. How often a program "
+                    "was seen not to keep up, and missed messages: {behind}."
+                ).format(lost=view.lost, behind=state.behind)
+        self._say(text, tip, warns=state.problem is not None or view.for_others)
