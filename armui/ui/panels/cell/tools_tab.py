@@ -62,7 +62,7 @@ class ToolsTab(ForceTab):
         nonsense = any(field.is_nonsense() for field in self._fields)
         length = 0.0 if nonsense else self.typed().length_mm
         text = self.tr("Checks see a capsule from the flange to the tip, {length} mm long.")
-        self._capsule.setText(text.format(length=fmt.number(length, 1)))
+        self._capsule.setText(text.format(length=fmt.number(length, 1)) if length else "")
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if new:
