@@ -7338,6 +7338,13 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LanguageButton</name>
+    <message>
+        <source>The other language; its font follows at the next start.</source>
+        <translation>切换语言；字体在下次启动时更换。</translation>
+    </message>
+</context>
+<context>
     <name>LeaseBar</name>
     <message>
         <source>Take the arm back from a program</source>

@@ -40,7 +40,6 @@ if TYPE_CHECKING:
 
 
 _ICON_PX: Final = 14
-_LANGUAGE_TIP: Final = "中文 / English\n字体下次启动时更换 / The font follows at the next start"
 _HIGHEST_PX: Final = 20
 """The largest height of the button: that of the line of text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
@@ -123,7 +122,8 @@ class LanguageButton(Translated, QToolButton):
 
     def retranslate_ui(self) -> None:
         """Show the name of the other language, in that language."""
-        caption(self, "English" if shown_language() == "zh" else "中文", tip=_LANGUAGE_TIP)
+        tip = self.tr("The other language; its font follows at the next start.")
+        caption(self, "English" if shown_language() == "zh" else "中文", tip=tip)
 
 
 class WindowActions(QObject):

@@ -61,7 +61,7 @@ def texts_of(widget):
 
 _OF_THE_OPERATOR = ("page_name", "points_table", "library_table")
 """Names that somebody gave."""
-_ALWAYS_CHINESE = {"中文", "中文 / English"}
+_ALWAYS_CHINESE = {"中文"}
 
 
 class Reader:
