@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Final
 
@@ -32,7 +32,7 @@ from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
-from armui.ui.actions.act import Act
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target, with_pose
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
@@ -279,13 +279,16 @@ class CartesianPanel(JogPanel):
         self._arc.send_wanted.connect(self._on_send_arc)
         self._shown_frame.activated.connect(self._on_frame_chosen)
 
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the arc, whose acts the panel offers."""
+        return (self._arc,)
+
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         base, tool, user = self._frame.buttons
         arc, tool_centre = self._extras.buttons
         return {
             **super().command_targets(),
-            **self._arc.command_targets(),
             "cartesian.base": base,
             "cartesian.tool": tool,
             "cartesian.user": user,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -21,7 +21,7 @@ from armui.control.motion.joint_motion import Motion
 from armui.control.operations.operation import operation_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
-from armui.ui.actions.act import Act
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.actions.command import Command, Target, also, with_angles
 from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
@@ -248,11 +248,14 @@ class MotionPanel(JogPanel):
         self._own_home.sent.connect(lambda: self._release(*JOINTS))
         self._own_home.kept.connect(self._on_home_kept)
 
+    def act_parts(self) -> Iterable[HasActs]:
+        """Return the park position, whose act the panel offers."""
+        return (self._own_home,)
+
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         return {
             **super().command_targets(),
-            **self._own_home.command_targets(),
             "motion.set_own_home_measured": self._own_home.set_measured,
             "motion.set_own_home_typed": self._own_home.set_typed,
             "motion.keys": self._keys,
