@@ -192,7 +192,7 @@ class Settings:
     live: Annotated[
         bool,
         Setting(
-            "Live stream for Foxglove",
+            "Live stream for Foxglove, on port",
             tip="Shows what is measured, live, in Foxglove and other programs that speak its "
             "WebSocket protocol. They only watch. Every program, web page and user of this "
             "computer can.",

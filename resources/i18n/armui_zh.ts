@@ -14417,8 +14417,8 @@ The other program must have ended.</source>
         <translation>您的脚本和其他程序可读取机械臂的状态，并向您申请操作。本机的其他用户和其他电脑不能使用。</translation>
     </message>
     <message>
-        <source>Live stream for Foxglove</source>
-        <translation>Foxglove 实时数据流</translation>
+        <source>Live stream for Foxglove, on port</source>
+        <translation>Foxglove 实时数据流，端口</translation>
     </message>
     <message>
         <source>Shows what is measured, live, in Foxglove and other programs that speak its WebSocket protocol. They only watch. Every program, web page and user of this computer can.</source>
