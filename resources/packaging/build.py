@@ -28,7 +28,7 @@ HERE: Final = Path(__file__).resolve().parent
 ROOT: Final = HERE.parents[1]
 sys.path.insert(0, str(HERE))
 
-from contents import EXTRAS, NOT_HERE, imported_by  # noqa: E402 - beside this file
+from contents import EXTRAS, NOT_HERE, NOT_PACKED, imported_by  # noqa: E402 - beside this file
 from linux_package import check_libraries, make_packages  # noqa: E402 - beside this file
 from release_page import changes_of, check_release, page  # noqa: E402 - as above
 
@@ -141,7 +141,8 @@ class Build:
     def _import_all(self, folder: Path) -> None:
         """Have the packed program import all that it names, and take out what does so."""
         (program,) = folder.glob("armui-imports*")
-        names = sorted(imported_by(ROOT / "armui") - set(NOT_HERE.get(sys.platform, ())))
+        absent = {*NOT_HERE.get(sys.platform, ()), *NOT_PACKED}
+        names = sorted(imported_by(ROOT / "armui") - absent)
         self._call(program, *names, *EXTRAS)
         program.unlink()
 

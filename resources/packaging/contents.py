@@ -35,6 +35,9 @@ NOT_HERE: Final = {
 }
 """Named in imports, but not for every system."""
 
+NOT_PACKED: Final = ("armui_mcp.server", "foxglove")
+"""Named in imports, but in no package: the program says how Python gets them."""
+
 UNUSED: Final = [
     "IPython",
     "PIL.ImageQt",

@@ -231,6 +231,11 @@ def test_nothing_that_the_program_names_is_left_out():
         each for each in named for one in contents.UNUSED if f"{each}.".startswith(f"{one}.")
     ]
     assert left_out == []
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    asked = " ".join((*project["dependencies"], *project["optional-dependencies"]["parquet"]))
+    for each in contents.NOT_PACKED:
+        assert each in named
+        assert each.partition(".")[0] not in asked
 
 
 _READ = """
