@@ -11,7 +11,7 @@ import hashlib
 import json
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 from types import MappingProxyType
@@ -328,6 +328,8 @@ class ArmModel:
         held: What the hand holds.
         frames: The names of the cell's user frames, and their poses in the base.
         rising: How much each axis of the base rises in the room, and the base's height there, mm.
+        around: What a check looks at beside the arm, as text: work area and lowest height; "" for
+            nothing.
     """
 
     limits: tuple[JointLimits, ...]
@@ -343,6 +345,7 @@ class ArmModel:
     held: HeldShape | None = None
     frames: tuple[tuple[str, tuple[float, ...]], ...] = ()
     rising: Rising = STANDING
+    around: str = field(default="", repr=False)
 
     @property
     def tip_mm(self) -> tuple[float, float, float]:
@@ -352,7 +355,7 @@ class ArmModel:
     @property
     def fingerprint(self) -> str:
         """A short text that differs between arms: a plan made for one fingerprint holds for it."""
-        return hashlib.sha256(repr(self).encode()).hexdigest()[:16]
+        return hashlib.sha256(f"{self!r}{self.around}".encode()).hexdigest()[:16]
 
     def fingerprint_of(self, frames: Collection[str]) -> str:
         """Return the fingerprint that counts for points which name these user frames alone."""

@@ -3958,6 +3958,10 @@
         <translation>工具已更换：正在输入的数值未采用。</translation>
     </message>
     <message>
+        <source>An entry in row {row} was not taken: {reason}</source>
+        <translation>第 {row} 行的输入未被采用：{reason}</translation>
+    </message>
+    <message>
         <source>Ended at row {row}. {reason}</source>
         <translation>在第 {row} 行结束。{reason}</translation>
     </message>

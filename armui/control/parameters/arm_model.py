@@ -21,11 +21,21 @@ def arm_model(controller: ArmController) -> ArmModel:
     arm = planning_model(controller.state, now, cartesian.tool, cartesian.tool_radius_mm)
     frames = tuple(frames_of(controller.cell.cell).items())
     arm = replace(
-        arm, held=controller.cell.held_shape, frames=frames, rising=controller.cell.rising
+        arm,
+        held=controller.cell.held_shape,
+        frames=frames,
+        rising=controller.cell.rising,
+        around=_around(controller),
     )
     if arm.stroke_mm is None or not controller.gripper.is_calibrated:
         return arm
     return replace(arm, widest_mm=controller.gripper.calibrated_mm(arm.stroke_mm))
+
+
+def _around(controller: ArmController) -> str:
+    area, lowest_mm = controller.area_guard.area, controller.jog_floor.lowest_mm
+    zones = "" if area is None else repr((area.in_force.zones, area.margin_mm))
+    return zones if lowest_mm is None else f"{zones}{lowest_mm}"
 
 
 def start_deg(controller: ArmController) -> tuple[float, ...]:

@@ -1,5 +1,6 @@
 """The list: what it tells of each trajectory, and what is done to them."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -7,12 +8,15 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QListWidget, QWidget
 
+from armui.cell.cell import Cell
+from armui.cell.work_area import Area, AreaBox
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_model import LibraryColumn
 from armui.viewport.path_picture import NOTHING
+from tests.accepted import accepted
 from tests.app_driver import Slow
 from tests.operator.library.actions import POINT, LibraryDriver
 
@@ -156,6 +160,26 @@ def test_a_mark_is_for_the_arm_it_was_made_for(driver):
     assert marks(driver)["bent"] == "—"
     driver.app_driver.connect(PiperModel.PIPER)
     assert marks(driver)["bent"] == "✕ errors"  # it still holds for that one
+
+
+def test_a_mark_is_for_the_work_area_and_the_lowest_height_it_was_made_with(driver):
+    driver.library.save(Trajectory("far", points=(POINT,)))
+    driver.app_driver.ready()
+    controller = driver.app_driver.controller
+    driver.app_driver.click("library_button")
+    check_in_editor(driver, "far")
+    driver.window.refresh()
+    assert marks(driver)["far"] == "✓ checked"
+    crate = AreaBox("crate", (900.0, 0.0, 100.0, 0.0, 0.0, 0.0), (50.0, 50.0, 50.0))
+    accepted(controller.cell.take(Cell("bench", area=Area(boxes=(crate,)))))
+    driver.app_driver.run_until(lambda: marks(driver)["far"] == "—")
+    off = replace(crate, on=False)
+    accepted(controller.cell.change(Cell("bench", area=Area(boxes=(off,)))))
+    driver.app_driver.run_until(lambda: marks(driver)["far"] == "✓ checked")
+    controller.jog_floor.lowest_mm = 20.0
+    driver.app_driver.step()
+    driver.window._show_marks()
+    assert marks(driver)["far"] == "—"
 
 
 def test_what_a_check_found_is_read_by_a_click_on_its_mark(driver):

@@ -187,7 +187,7 @@ class EditorPage(Page):
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
             *(controller, checks, choices),
-            lambda then: then(self.document.trajectory()),
+            self._read_points,
             lambda then: then(self.document.trajectory()),
             beside=map(self._actions.button, ("check", "preview")),
         )
@@ -472,6 +472,18 @@ class EditorPage(Page):
         )
         for name in _OF_POINTS:
             self._actions.allow(name, "" if count else words.refusal(empty))
+
+    def _read_points(self, then: Callable[[Trajectory | None], object]) -> None:
+        """Pass on the points, with what is being typed; none while that cannot be taken."""
+        untaken = self.table.take_entry()
+        if untaken is not None:
+            self._say(partial(self._not_taken, *untaken), Level.WARNING)
+            self.bring_into_sight(self._message)
+        then(self.document.trajectory() if untaken is None else None)
+
+    def _not_taken(self, row: int, reason: Refusal) -> str:
+        text = self.tr("An entry in row {row} was not taken: {reason}")
+        return text.format(row=row + 1, reason=words.refusal(reason))
 
     def _check(self, *, plays: bool = False) -> None:
         """Check without running, and then let the ghost go along the path, if wanted."""

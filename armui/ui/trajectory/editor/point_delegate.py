@@ -335,21 +335,22 @@ class PointDelegate(QStyledItemDelegate):
             and isinstance(event, QKeyEvent)
             and Qt.Key(event.key()) in _LEAVING
             and isinstance(editor, CellEditor)
-            and self._refuses(editor)
+            and not self.can_take(editor)
         ):
             return True
         return super().eventFilter(editor, event)
 
-    def _refuses(self, editor: CellEditor) -> bool:
+    def can_take(self, editor: CellEditor) -> bool:
+        """Return whether the model takes the present entry; show at the cell why not."""
         model = self._index.model()
         if not isinstance(model, PointsModel):
-            return False
+            return True
         reason = model.why_not(self._index, editor.text())
         if reason is None:
             self.accepted.emit()
-            return False
+            return True
         self.refused.emit(model.index(self._index.row(), self._index.column()), reason)
         if isinstance(editor, QLineEdit):
             editor.setProperty("attention", True)
             repolish(editor)
-        return True
+        return False

@@ -15,13 +15,20 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QMenu, QTableView
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QLabel,
+    QMenu,
+    QTableView,
+    QWidget,
+)
 
 from armui.arm.refusal import Refusal
 from armui.trajectory.points.cells import VALUES, PointColumn
 from armui.ui import words
 from armui.ui.theme import colors_of
-from armui.ui.trajectory.editor.point_delegate import PointDelegate, TextEditor
+from armui.ui.trajectory.editor.point_delegate import CellEditor, PointDelegate, TextEditor
 from armui.ui.trajectory.editor.points_model import POSES, PointsModel
 from armui.ui.widgets.table_model import chosen_rows, rows_hint
 
@@ -74,8 +81,9 @@ class PointsTable(QTableView):
         self.setObjectName("points_table")
         self.setModel(model)
         self.points = model
-        delegate = PointDelegate(self)
+        self._delegate = delegate = PointDelegate(self)
         self.setItemDelegate(delegate)
+        self._untaken: tuple[int, Refusal] | None = None
         self._middle_px = 0
         self._note = QLabel(self.viewport())
         self._note.setObjectName("cell_problem")
@@ -88,7 +96,7 @@ class PointsTable(QTableView):
         delegate.accepted.connect(self._note.hide)
         model.refused.connect(self.show_problem)
         model.moved.connect(self.select_rows)
-        model.dataChanged.connect(self._note.hide)
+        model.dataChanged.connect(self._on_data_changed)
         self.verticalScrollBar().valueChanged.connect(self._note.hide)
         self.horizontalScrollBar().valueChanged.connect(self._note.hide)
         self.selectionModel().currentRowChanged.connect(self._on_current)
@@ -252,8 +260,28 @@ class PointsTable(QTableView):
 
     # What is wrong with a cell ----------------------------------------------------------------
 
+    def take_entry(self) -> tuple[int, Refusal] | None:
+        """Take what is being typed in a cell; return its row, and why that cannot be taken.
+
+        An entry that was refused as its cell was left is returned once: the cell has its old
+        figure since, which nobody has asked for.
+        """
+        for editor in self.viewport().findChildren(QWidget):
+            if isinstance(editor, CellEditor) and editor.isVisible():
+                if not self._delegate.can_take(editor):
+                    break
+                self.commitData(editor)
+                self.closeEditor(editor, PointDelegate.EndEditHint.NoHint)
+        untaken, self._untaken = self._untaken, None
+        return untaken
+
+    def _on_data_changed(self) -> None:
+        self._note.hide()
+        self._untaken = None
+
     def show_problem(self, index: QModelIndex, reason: Refusal) -> None:
         """Show at a cell why its entry is refused."""
+        self._untaken = index.row(), reason
         self._note.setText(words.refusal(reason))
         cell = self.visualRect(index)
         self._note.setFixedWidth(min(_NOTE_PX, self.viewport().width()))
