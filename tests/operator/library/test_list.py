@@ -239,3 +239,26 @@ def test_with_the_drawer_open_whole_rows_are_seen(app_driver, language):
     table = driver.table
     assert app_driver.find("drawer").isVisible()
     assert table.viewport().height() >= 3 * table.rowHeight(0)
+
+
+def test_a_run_is_continued_beside_its_own_trajectory_alone(driver):
+    for name in ("near", "other"):
+        driver.library.save(Trajectory(name, points=(POINT, POINT)))
+    driver.app_driver.ready()
+    driver.app_driver.click("library_button")
+    driver.window.refresh()
+    driver.app_driver.run_until(lambda: {"near", "other"} <= {*driver.names()})
+    driver.choose("near")
+    driver.app_driver.click(driver.window.findChild(QWidget, "run_send"))
+    accept = driver.window.findChild(QWidget, "accept_warnings")
+    driver.app_driver.run_until(accept.isVisible)
+    driver.app_driver.click(accept)
+    driver.app_driver.run_until(lambda: driver.app_driver.controller.player.running)
+    driver.app_driver.run(0.3)
+    driver.app_driver.click("run_stop")
+    resume = driver.window.findChild(QWidget, "run_resume")
+    driver.app_driver.run_until(resume.isVisible)
+    driver.choose("other")
+    assert not resume.isVisible()
+    driver.choose("near")
+    assert resume.isVisible()

@@ -542,7 +542,7 @@ class RunBar(Translated, QWidget):
         self._state.setVisible(checking)
         self._call_off.setVisible(checking)
         free = not (self._runner.running or checking)
-        self._resume.setVisible(free and self._may_resume(progress.name))
+        self._resume.setVisible(free and self._may_resume(self._name))
         enable_or_explain(self._resume, why_not)
         self._resume.setText(self.tr("Continue from row {row}").format(row=progress.index + 1))
 
