@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 LIVE_NOT_INSTALLED = Reason(
     "live_not_installed",
-    "The live stream needs the package foxglove-sdk: pip install 'armui[foxglove]', then switch it "
-    "off and on. A program that was not installed by pip cannot have it. ({text})",
+    "The live stream needs the package foxglove-sdk ({text}): pip install 'armui[foxglove]', then "
+    "switch it off and on. A program that was not installed by pip cannot have it.",
 )
 LIVE_PORT_TAKEN = Reason(
     "live_port_taken",
@@ -26,12 +26,16 @@ LIVE_PORT_TAKEN = Reason(
     "settings, or end that program and switch the stream off and on.",
 )
 LIVE_NOT_OPENED = Reason(
-    "live_not_opened", "The live stream cannot be served at port {port}: {text}"
+    "live_not_opened",
+    "The live stream cannot be served at port {port} ({text}). Choose another port in the "
+    "settings.",
 )
 LIVE_ENDED = Reason(
     "live_ended", "The process of the live stream has ended by itself. Switch it off and on."
 )
-LIVE_NOT_SERVED = Notice("live_not_served", "{reason}", Level.WARNING, EventKind.PROGRAM)
+LIVE_NOT_SERVED = Notice(
+    "live_not_served", "No live stream: {reason}", Level.WARNING, EventKind.PROGRAM
+)
 
 
 @dataclass(frozen=True, slots=True)

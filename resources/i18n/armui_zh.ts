@@ -9113,10 +9113,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>操作员已允许“{client}”：{operation}</translation>
     </message>
     <message>
-        <source>{reason}</source>
-        <translation>{reason}</translation>
-    </message>
-    <message>
         <source>Park position set: {angles}</source>
         <translation>停放位已设定：{angles}</translation>
     </message>
@@ -9187,6 +9183,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>“{client}” asks: {operation}</source>
         <translation>“{client}”请求：{operation}</translation>
+    </message>
+    <message>
+        <source>No live stream: {reason}</source>
+        <translation>实时数据流不可用：{reason}</translation>
     </message>
     <message>
         <source>Also saved as MF4: {name}.mf4</source>
@@ -11425,8 +11425,8 @@ The other program must have ended.</source>
         <translation>已发送急停，等待机械臂确认。</translation>
     </message>
     <message>
-        <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
-        <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率。</translation>
+        <source>Nothing is heard from the arm. Check its power, the CAN cable and the bit rate, or whether this computer is too busy.</source>
+        <translation>未收到机械臂的反馈。请检查电源、CAN 线和波特率，或本机是否过忙。</translation>
     </message>
     <message>
         <source>The adapter sends, but hears nothing, not even errors. Unplug it and plug it in again.</source>
@@ -11922,8 +11922,8 @@ The other program must have ended.</source>
         <translation>尚未连接机械臂。请点击左上角的通讯按钮，选择设备并连接。</translation>
     </message>
     <message>
-        <source>The device is open, but nothing is heard from the arm. Check its power, the CAN cable and the bit rate.</source>
-        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、CAN 线和波特率。</translation>
+        <source>The device is open, but nothing is heard from the arm. Check its power, the CAN cable and the bit rate, or whether this computer is too busy.</source>
+        <translation>CAN 设备已打开，但没有收到机械臂的反馈。请检查机械臂电源、CAN 线和波特率，或本机是否过忙。</translation>
     </message>
     <message>
         <source>The CAN device is gone. Plug it in again: the program reconnects by itself.</source>
@@ -12462,16 +12462,8 @@ The other program must have ended.</source>
         <translation>正在为您检查另一条轨迹。请等待其结果。</translation>
     </message>
     <message>
-        <source>The live stream needs the package foxglove-sdk: pip install &apos;armui[foxglove]&apos;, then switch it off and on. A program that was not installed by pip cannot have it. ({text})</source>
-        <translation>实时数据流需要软件包 foxglove-sdk：请运行 pip install &apos;armui[foxglove]&apos;，然后关闭再打开。不是用 pip 安装的程序无法使用。（{text}）</translation>
-    </message>
-    <message>
         <source>Another program has port {port}: the live stream is not served. Choose another port in the settings, or end that program and switch the stream off and on.</source>
         <translation>端口 {port} 被其他程序占用，实时数据流未提供。请在设置中另选端口，或结束该程序后关闭再打开数据流。</translation>
-    </message>
-    <message>
-        <source>The live stream cannot be served at port {port}: {text}</source>
-        <translation>无法在端口 {port} 提供实时数据流：{text}</translation>
     </message>
     <message>
         <source>The process of the live stream has ended by itself. Switch it off and on.</source>
@@ -13352,6 +13344,14 @@ The other program must have ended.</source>
     <message>
         <source>Nothing was sent: asked for its firmware version, the arm named {versions}. With it, or with two arms on the bus, an arm would fall. Hold the arm and use the emergency stop.</source>
         <translation>未发送任何内容：询问固件版本时，机械臂答复为 {versions}。使用此固件，或总线上有两台机械臂时，机械臂会下坠。请扶住机械臂并使用急停。</translation>
+    </message>
+    <message>
+        <source>The live stream needs the package foxglove-sdk ({text}): pip install &apos;armui[foxglove]&apos;, then switch it off and on. A program that was not installed by pip cannot have it.</source>
+        <translation>实时数据流需要软件包 foxglove-sdk（{text}）：请运行 pip install &apos;armui[foxglove]&apos;，然后关闭再打开。不是用 pip 安装的程序无法使用。</translation>
+    </message>
+    <message>
+        <source>The live stream cannot be served at port {port} ({text}). Choose another port in the settings.</source>
+        <translation>无法在端口 {port} 提供实时数据流（{text}）。请在设置中选择其他端口。</translation>
     </message>
     <message>
         <source>What the question was about has changed: nothing was sent. Try again.</source>

@@ -148,7 +148,10 @@ def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
 @ONE_IS_ENOUGH
 def test_an_arm_that_falls_silent(ready):
     ready.powered = False
-    reads(ready, "Check its power, the CAN cable and the bit rate")
+    reads(
+        ready,
+        "Check its power, the CAN cable and the bit rate, or whether this computer is too busy",
+    )
     press(ready, "Connection…")
     ready.dialog(ConnectDialog).close()
     ready.powered = True

@@ -23,7 +23,7 @@ LINK_LOST = Reason(
 OFFLINE = Reason(
     "offline",
     "The device is open, but nothing is heard from the arm. Check its power, the CAN cable "
-    "and the bit rate.",
+    "and the bit rate, or whether this computer is too busy.",
 )
 NOT_CONNECTED = Reason(
     "not_connected",

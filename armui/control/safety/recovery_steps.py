@@ -174,7 +174,9 @@ class StepKind(enum.Enum):
     )
     STOP_REQUESTED = StepText("stop_requested", "Stop sent. Waiting for the arm to confirm it.")
     OFFLINE = StepText(
-        "offline", "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate."
+        "offline",
+        "Nothing is heard from the arm. Check its power, the CAN cable and the bit rate, or "
+        "whether this computer is too busy.",
     )
     DEAF = StepText(
         "deaf",
