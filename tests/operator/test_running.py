@@ -319,6 +319,7 @@ def test_motors_that_are_off_keep_it_from_being_sent(app_driver):
 def test_the_speed_is_that_of_the_points_times_the_one_at_the_top(app_driver):
     operator = Operator(app_driver, replace(to(OUT), speed_percent=60), to(UP))
     app_driver.type_into("speed_field", "50")
+    app_driver.step()  # its own frame has left
     app_driver.heard()
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
