@@ -51,6 +51,7 @@ class Operator:
         self.window = app_driver.page(EditorPage)
         app_driver.wait(self.window.isActiveWindow)
         app_driver.controller.motion.set_speed_percent(100)
+        app_driver.step()  # its frame has left
 
     @property
     def progress(self):

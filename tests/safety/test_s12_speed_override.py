@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from armui.arm.figures import FIGURE_NOT_A_NUMBER, WHOLE_OUT_OF_RANGE
+from armui.arm.figures import FIGURE_NOT_WHOLE, WHOLE_OUT_OF_RANGE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Hold
 from armui.control.run.player import RUN_SPEED_ZERO
@@ -306,7 +306,7 @@ def test_0_percent_stays_after_the_run_and_nothing_begins_at_it(ready):
 def test_a_figure_that_is_no_percentage_is_refused(ready):
     for value in (-1, 101):
         assert override(ready, value).reason == WHOLE_OUT_OF_RANGE
-    assert override(ready, math.nan).reason == FIGURE_NOT_A_NUMBER
+    assert override(ready, math.nan).reason == FIGURE_NOT_WHOLE
     assert ready.controller.speed_override.percent == 40
 
 
