@@ -349,8 +349,8 @@ class Program:
         self._stop_shortcut.deleteLater()
         served_no_more = self.interface.end()
         self.ended = self.controller.shutdown() and served_no_more
-        self.ended = self.live.end() and self.ended
         self.closed.set()
+        self.ended = self.live.end() and self.ended  # its process may take a moment
         if self._event_keeper is not None:
             self._event_keeper.close()
         if self._files is not None:
