@@ -106,6 +106,26 @@ def test_what_is_refused_is_told_with_the_id_of_its_reason(script, caller):
     assert "no tool" in nothing
 
 
+def test_what_a_tool_does_not_take_reaches_nobody(script, caller):
+    """`wait` is an argument of the client's own call, by which a motion would not be waited for."""
+
+    def run():
+        caller.call("lease_request", LEASE)
+        return refusal(caller.call, "motion_step", {"joint": 1, "delta_deg": 3, "wait": False})
+
+    assert script.run(run) == "motion_step does not take: wait."
+
+
+def test_what_is_given_up_while_the_operator_is_asked_asks_him_no_more(script, caller):
+    script.percent = None
+    script.meanwhile = lambda: script.desk.view.asked and caller.close()
+    script.run(lambda: refusal(caller.call, "lease_request", LEASE))
+    script.rig.run(0.1)
+    assert script.desk.view.asked is None
+    script.percent, script.meanwhile = 100, lambda: None
+    assert script.run(lambda: caller.call("lease_request", LEASE)) == {"max_speed_percent": 40}
+
+
 def test_without_the_package_the_command_says_how_to_install_it(monkeypatch, capsys):
     monkeypatch.setitem(sys.modules, "armui_mcp.server", None)
     assert mcp_command.run(argparse.Namespace()) == 1

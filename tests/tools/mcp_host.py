@@ -86,7 +86,7 @@ async def host(path: Path) -> None:
         print(f"given up: J1 rests at {at_deg[0]:.2f}°, a second later {at_deg[1]:.2f}°")
         assert at_deg[0] < 100.0
         assert abs(at_deg[1] - at_deg[0]) < 0.1
-        # the host ends in motion; the halt has ended the lease
+        # the host ends in motion; that it was given up has ended the lease
         await call(client, "lease_request", purpose="ends in motion", max_speed_percent=30)
         async with anyio.create_task_group() as group:
             group.start_soon(client.call_tool, "motion_send", AWAY)

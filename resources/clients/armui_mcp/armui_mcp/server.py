@@ -50,8 +50,9 @@ async def _serve(tools: Mapping[str, Tool], caller: ToolCaller) -> None:
         except anyio.get_cancelled_exc_class():
             tool = tools.get(params.name)
             if tool is not None and not tool.reads_only:
+                # what it asked for and what it moves end with the connection, and nothing else
                 with anyio.CancelScope(shield=True):
-                    await anyio.to_thread.run_sync(caller.halt)
+                    await anyio.to_thread.run_sync(caller.close)
             raise
         return _answer(json.dumps(found, ensure_ascii=False), found)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -128,6 +127,9 @@ class ToolCaller:
         tool = self._tools.get(name)
         if tool is None:
             raise Invalid(f"There is no tool {name!r}.")
+        if unknown := arguments.keys() - tool.takes["properties"].keys():
+            names = ", ".join(sorted(unknown))
+            raise Invalid(f"{name} does not take: {names}.")
         arm = self._connected()
         if tool.method == _REQUEST:
             return self._ask_for_the_arm(arm, arguments)
@@ -141,14 +143,11 @@ class ToolCaller:
             return {"state": found.state, "reason": found.reason, "text": found.text}
         return found if isinstance(found, dict) else {"result": found}
 
-    def halt(self) -> None:
-        """End any motion with power on, if armui is there."""
-        if self._arm is not None:
-            with contextlib.suppress(ArmuiError):
-                self._arm.halt()
-
     def close(self) -> None:
-        """Close the connection; the lease ends with it, and its motion."""
+        """Close the connection; the lease ends with it, its motion, and what the operator is asked.
+
+        The next call connects again.
+        """
         with self._connecting:
             if self._arm is not None:
                 self._arm.close()
