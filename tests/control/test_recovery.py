@@ -79,6 +79,7 @@ def move(rig: ArmRig, angles_deg) -> None:
     rig.run_until(lambda: rig.firmware.joints_deg == pytest.approx(angles_deg))
 
 
+@pytest.mark.each_value(full="each fault in both generations")
 @pytest.mark.parametrize("name", sorted(FAULTS))
 def test_no_fault_is_a_dead_end(any_rig, name):
     rig = any_rig

@@ -64,6 +64,7 @@ def refused(rig, *tables):
     return codes
 
 
+@pytest.mark.each_value(full="each phase in both generations")
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
 def test_a_run_in_any_phase_is_all_that_the_arm_hears(ready, begin):
     begin(ready)
@@ -112,6 +113,7 @@ def test_a_paused_motion_is_not_met_by_anything_new(ready):
     accepted(ready.controller.motion.send_joints(BACK))
 
 
+@pytest.mark.each_value(full="each phase in both generations")
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
 def test_reading_and_recording_are_fine_at_any_time(ready, begin):
     begin(ready)
@@ -165,6 +167,7 @@ def test_no_zero_in_the_middle_of_a_recording(ready):
     assert (refusal.code, refusal.params["what"]) == ("busy", "recording")
 
 
+@pytest.mark.each_value(full="each joint in each phase, in both generations")
 @pytest.mark.parametrize("begin", [run_moving, run_paused, run_dwelling])
 @pytest.mark.parametrize("joint", [3, 7])
 def test_motors_can_always_be_disabled_and_the_run_says_so(ready, begin, joint):
@@ -190,6 +193,7 @@ def test_the_gripper_can_always_let_go_and_the_run_says_so(ready):
     assert ready.controller.player.progress.refusal.reason == RUN_LET_GO
 
 
+@pytest.mark.each_value(full="each phase of each run in both generations")
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
 @pytest.mark.parametrize("plan", [TrajectoryCommand.ABORT, TrajectoryCommand.CLEAR_ALL])
 def test_what_ends_motions_ends_a_run_too(ready, begin, plan):
@@ -203,6 +207,7 @@ def test_what_ends_motions_ends_a_run_too(ready, begin, plan):
     assert tuple(ready.firmware.joints_deg) == here
 
 
+@pytest.mark.each_value(full="each phase in both generations")
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
 def test_the_emergency_stop_works_in_every_phase(ready, begin):
     begin(ready)
@@ -216,6 +221,7 @@ def test_the_emergency_stop_works_in_every_phase(ready, begin):
     assert ready.ear.heard == []
 
 
+@pytest.mark.each_value(full="each way to leave in each phase, in both generations")
 @pytest.mark.parametrize("begin", RUNS.values(), ids=RUNS)
 @pytest.mark.parametrize("leave", ["disconnect_device", "shutdown"])
 def test_an_arm_that_is_left_does_not_go_on(ready, begin, leave):

@@ -96,6 +96,7 @@ JOGS = {
 }
 
 
+@pytest.mark.each_value(full="each axis in each frame")
 @pytest.mark.parametrize("axis", range(3))
 @pytest.mark.parametrize("how", JOGS)
 def test_a_jog_stays_on_the_axis_of_the_frame(rig, axis, how):

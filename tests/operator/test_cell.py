@@ -413,6 +413,7 @@ def test_a_plane_says_which_side_is_forbidden(panel, turned, side):
     assert panel.read("cell_area_side") == f"Forbidden side of the plane: {side}"
 
 
+@pytest.mark.each_value(full="each tab in both languages")
 @pytest.mark.styled
 @pytest.mark.parametrize("language", ["zh", "en"])
 @pytest.mark.parametrize("tab", ["tools", "frames", "area", "held", "base"])

@@ -64,6 +64,7 @@ def new_driver(request: pytest.FixtureRequest, qapp: QApplication) -> Iterator[C
         each.close()
 
 
+@pytest.mark.each_value(full="each question of each operation")
 @pytest.mark.parametrize(("question", "name"), CASES)
 def test_by_a_client(new_driver: Callable[[], Any], question: Question, name: str) -> None:
     ASKED[question](new_driver, name)

@@ -255,6 +255,7 @@ def test_a_press_beside_the_button_only_closes_the_popup(app_driver, presses):
     assert QApplication.activePopupWidget() is None
 
 
+@pytest.mark.each_value(full="each key over each thing that is open")
 @pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY])
 @pytest.mark.parametrize("open_it", OPEN, ids=lambda each: each.__name__)
 def test_the_keys_act_at_the_first_press(app_driver, presses, open_it, key):

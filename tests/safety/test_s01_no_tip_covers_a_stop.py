@@ -31,6 +31,7 @@ def driver(app_driver):
     QToolTip.hideText()
 
 
+@pytest.mark.each_value(full="each control at both sizes")
 @pytest.mark.parametrize("name", HOVERED)
 @pytest.mark.parametrize("share", [0.1, 0.9])
 def test_the_tip_of_a_control_beside_them_leaves_them_in_sight(driver, name, share):

@@ -52,6 +52,7 @@ def test_while_it_is_heard_release_is_a_held_press_in_the_line(stopped):
     stopped.run_until(lambda: not stopped.firmware.condition.stopped)
 
 
+@pytest.mark.each_value(full="each key in both generations")
 @pytest.mark.parametrize("key", [Qt.Key.Key_F12, Qt.Key.Key_Pause])
 def test_a_stop_while_release_is_held_is_the_last_word(stopped, key):
     """The hold was meant for the stop before; it ends without effect, even with the button down."""

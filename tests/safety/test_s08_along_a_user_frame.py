@@ -169,6 +169,7 @@ LOST = {
 }
 
 
+@pytest.mark.each_value(full="each way to end each jog")
 @pytest.mark.parametrize("how", LOST)
 @pytest.mark.parametrize("jog", [UP_X, PAD_X], ids=["held", "steered"])
 def test_a_jog_ends_when_its_frame_is_in_force_no_more(ready, jog, how):

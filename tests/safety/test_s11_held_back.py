@@ -40,6 +40,7 @@ def test_it_is_shown_and_counts_as_moving(held):
     assert held.controller.recovery.step.alternative is Action.GIVE_UP
 
 
+@pytest.mark.each_value(full="each motion held back, in both generations")
 def test_no_other_command_sets_it_going(held):
     rig, controller = held, held.controller
     stood_deg = rig.firmware.mechanics.positions_deg
@@ -55,6 +56,7 @@ def test_no_other_command_sets_it_going(held):
     assert controller.operating_state.holds
 
 
+@pytest.mark.each_value(full="each motion held back, in both generations")
 def test_it_goes_on_by_continue_at_the_speed_that_is_shown(held):
     rig, controller = held, held.controller
     controller.motion.set_speed_percent(50)
@@ -67,6 +69,7 @@ def test_it_goes_on_by_continue_at_the_speed_that_is_shown(held):
     assert not controller.operating_state.holds
 
 
+@pytest.mark.each_value(full="each motion held back, in both generations")
 def test_it_is_dropped_for_good(held):
     rig, controller = held, held.controller
     stood_deg = rig.firmware.mechanics.positions_deg
@@ -94,6 +97,7 @@ def test_it_does_not_go_on_at_zero_percent(any_rig):
     assert controller.operating_state.holds == {Hold.SPEED_ZERO}
 
 
+@pytest.mark.each_value(full="each motion held back, in both generations")
 def test_it_is_not_forgotten_while_the_arm_is_silent(held):
     rig, controller = held, held.controller
     rig.node.link.mute_on.update({0x2A1, 0x2A5, 0x2A6, 0x2A7})
@@ -105,6 +109,7 @@ def test_it_is_not_forgotten_while_the_arm_is_silent(held):
     assert isinstance(controller.motion.jog(6, 1.0), Refusal)
 
 
+@pytest.mark.each_value(full="each motion held back, in both generations")
 def test_it_is_not_forgotten_over_a_lost_cable(held):
     rig, controller = held, held.controller
     rig.node.link.off = True
@@ -119,6 +124,7 @@ def test_it_is_not_forgotten_over_a_lost_cable(held):
     assert rig.firmware.mechanics.positions_deg == pytest.approx(stood_deg, abs=0.01)
 
 
+@pytest.mark.each_value(full="all of it in both generations")
 @pytest.mark.parametrize("percent", [80, 1])
 @pytest.mark.parametrize("how", ["speed", "pause"])
 def test_holding_back_a_single_motion_is_told_again_when_it_was_lost(any_rig, how, percent):
@@ -196,6 +202,7 @@ def left_by_another(any_rig, request):
     other.close()
 
 
+@pytest.mark.each_value(full="each motion left by another, in both generations")
 def test_what_another_host_left_held_back_is_cancelled_before_a_step(left_by_another):
     rig, controller = left_by_another, left_by_another.controller
     stood_deg = rig.firmware.mechanics.positions_deg
@@ -213,6 +220,7 @@ def test_what_another_host_left_held_back_is_cancelled_before_a_step(left_by_ano
     assert rig.firmware.mechanics.positions_deg[5] == pytest.approx(stood_deg[5] + 1.0, abs=0.02)
 
 
+@pytest.mark.each_value(full="each motion left by another, in both generations")
 def test_what_another_host_left_held_back_is_told_with_its_remedy(left_by_another):
     rig, controller = left_by_another, left_by_another.controller
     step = controller.recovery.step
@@ -238,6 +246,7 @@ def _five(firmware, stood_deg):
     return zip(firmware.mechanics.positions_deg[:5], stood_deg[:5], strict=True)
 
 
+@pytest.mark.each_value(full="each motion left by another, in both generations")
 def test_another_speed_does_not_set_going_what_another_host_left(left_by_another):
     rig, controller = left_by_another, left_by_another.controller
     stood_deg = rig.firmware.mechanics.positions_deg
@@ -252,6 +261,7 @@ def test_another_speed_does_not_set_going_what_another_host_left(left_by_another
     assert rig.firmware.condition.speed_percent == 60
 
 
+@pytest.mark.each_value(full="each motion left by another, in both generations")
 def test_a_mounting_does_not_set_going_what_another_host_left(left_by_another):
     rig, controller = left_by_another, left_by_another.controller
     if rig.firmware.generation is Generation.ONE:

@@ -29,6 +29,7 @@ def highest_deg_s(rig):
     return (heard.value if heard is not None else 286.5) * BRAKING_S
 
 
+@pytest.mark.each_value(full="each jog in both generations")
 @pytest.mark.parametrize("jog", [JointJog(1, 1), ToolJog(1, 1, JogFrame.BASE)])
 def test_a_lower_percentage_slows_a_held_jog_at_once(ready, jog):
     rig = ready

@@ -98,6 +98,7 @@ def gentle(any_rig):
     return any_rig
 
 
+@pytest.mark.each_value(full="all percentages in both generations")
 @pytest.mark.parametrize("percents", [(5,), (10,), (15, 5)])
 def test_a_joint_of_low_acceleration_is_given_the_time_to_slow_down(gentle, percents):
     """From 52 °/s it takes 1.4 s to 5 % of its highest speed, 8.6 °/s."""
@@ -214,6 +215,7 @@ def too_fast(speeds, shown_mm_s):
     return [speed for speed in speeds if speed > 1.5 * shown_mm_s + 3.0]
 
 
+@pytest.mark.each_value(full="lines and arcs in each direction at each percentage")
 @pytest.mark.usefixtures("qapp")
 @pytest.mark.parametrize("arc", [False, True], ids=["line", "arc"])
 @pytest.mark.parametrize("direction", DIRECTIONS)

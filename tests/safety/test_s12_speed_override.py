@@ -214,6 +214,7 @@ def test_a_single_motion_that_was_not_heard_is_slowed_as_soon_as_it_is(ready):
 # 0 % is a pause ----------------------------------------------------------------------------------
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("what", ["run", "replay"])
 def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     if what == "run":
@@ -242,6 +243,7 @@ def test_0_percent_holds_back_and_only_continue_goes_on(ready, what):
     assert "motion_too_fast" not in ready.codes()
 
 
+@pytest.mark.each_value(full="each length of the pause in both generations")
 @pytest.mark.parametrize("meanwhile_s", [0.0, 0.06, 0.16])
 def test_0_percent_stays_a_pause_when_it_is_raised_before_the_arm_stands(ready, meanwhile_s):
     """Down to 0 % and up again with one drag of the slider: the replay is still slowing down."""
@@ -313,6 +315,7 @@ def test_a_figure_that_is_no_percentage_is_refused(ready):
 # Afterwards, others, losses ----------------------------------------------------------------------
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("what", ["run", "replay"])
 def test_afterwards_the_operators_percentage_is_back_in_the_arm(ready, what):
     if what == "run":
@@ -328,6 +331,7 @@ def test_afterwards_the_operators_percentage_is_back_in_the_arm(ready, what):
     assert ready.firmware.condition.speed_percent == 20, "the lower one of before and of the run"
 
 
+@pytest.mark.each_value(full="each motion in both generations")
 @pytest.mark.parametrize("what", ["run", "replay"])
 def test_what_was_raised_in_a_run_goes_back(ready, what):
     part = started(ready, FAR, speed_percent=40) if what == "run" else replaying(ready)
@@ -377,6 +381,7 @@ def test_lost_for_good_it_ends_the_run(ready):
     assert not ready.firmware.mechanics.moving
 
 
+@pytest.mark.each_value(full="each motion at each percentage in both generations")
 @pytest.mark.parametrize("percent", [80, 1])
 @pytest.mark.parametrize("what", ["run", "approach"])
 def test_a_pause_that_is_lost_is_told_again(ready, what, percent):
@@ -463,6 +468,7 @@ def test_a_driver_that_is_slow_for_a_moment_tells_the_lowest_last(ready):
     assert not {"motion_too_fast", "bus_blocked"} & set(ready.codes())
 
 
+@pytest.mark.each_value(full="all of it in both generations")
 @pytest.mark.parametrize(("percent", "held"), [(25, (0x151, "010114")), (0, (0x150, "000100"))])
 def test_a_lower_speed_that_the_driver_keeps_ends_the_run_and_nothing_late_follows(
     ready, percent, held
@@ -487,6 +493,7 @@ def test_a_lower_speed_that_the_driver_keeps_ends_the_run_and_nothing_late_follo
     assert not ready.firmware.mechanics.moving
 
 
+@pytest.mark.each_value(full="each time that the driver is blocked, in both generations")
 @pytest.mark.parametrize("blocked_s", [0.3, 2.5])
 def test_a_replay_at_0_percent_ends_where_it_was_held_back_whatever_the_driver_kept(
     ready, blocked_s
@@ -535,6 +542,7 @@ def test_a_replay_that_the_driver_keeps_from_the_arm_ends_and_nothing_late_follo
 # Arms and computers of every kind -----------------------------------------------------------------
 
 
+@pytest.mark.each_value(full="all percentages in both generations")
 @pytest.mark.parametrize("percents", [(5,), (0,), (60, 20, 5, 0)])
 def test_joints_of_low_acceleration_are_given_their_time(any_rig, percents):
     """From 70 °/s to rest a joint of 30 °/s² takes more than two seconds."""

@@ -127,6 +127,7 @@ def test_every_value_of_every_byte_is_taken_in_by_the_simulated_arm(generation):
             arm.step(0.005)
 
 
+@pytest.mark.each_value(full="each joint in both generations")
 @EACH_GENERATION
 @pytest.mark.parametrize("joint", [0, 7, 8, 127, 128, 250, 255])
 def test_limits_of_no_joint_change_none(generation, joint):

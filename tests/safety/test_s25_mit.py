@@ -103,6 +103,7 @@ RESET_FIRST = [None, "S-V1.5-2", "S-V1.8-4", "S-V1.8-5"]
 BY_A_WORD = ["S-V1.8-6", "S-V1.8-8", "S-V1.9-0"]
 
 
+@pytest.mark.each_value(full="each word in each version")
 @pytest.mark.parametrize("version", RESET_FIRST)
 @pytest.mark.parametrize("word", [MIT_UNTIL_1_8_7, MIT])
 def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, word):
@@ -115,6 +116,7 @@ def test_the_way_back_is_the_reset_before_1_8_6(raised, other_host, version, wor
     assert step.dangerous
 
 
+@pytest.mark.each_value(full="each word in each version")
 @pytest.mark.parametrize("version", BY_A_WORD)
 @pytest.mark.parametrize("word", [MIT, HIGH_FOLLOW, CPV])
 def test_the_way_back_is_a_mode_word_from_1_8_6_on(raised, other_host, version, word):

@@ -79,6 +79,7 @@ def test_the_parked_arm_stays_as_near_to_its_parking_all_the_way(parking):
     assert gap_mm(SWUNG_DEG, zone) == pytest.approx(PARKED_MM, abs=0.2)
 
 
+@pytest.mark.each_value(full="both ways of parking with and without a stop")
 @pytest.mark.parametrize("stops", [False, True], ids=["told", "stopped"])
 @pytest.mark.parametrize("parking", PARKINGS)
 def test_another_host_is_told_and_stopped_at_another_zone(rig, other_host, parking, stops):

@@ -121,6 +121,7 @@ def test_frames_that_come_in_bunches_or_not_at_all_jump_no_further():
     assert jump_deg(TIMES[lost], angles[lost], AT_S) == pytest.approx(0.0, abs=0.5)
 
 
+@pytest.mark.each_value(full="each bunch of frames with each slip")
 @pytest.mark.parametrize("slip", [0.0, -5.0, 85.0])
 @pytest.mark.parametrize("bunch_s", [0.01, 0.02, 0.04])
 def test_a_jump_in_bunched_frames_is_found_to_half_a_degree(bunch_s, slip):

@@ -233,6 +233,7 @@ def test_a_third_motion_is_no_better(bent):
     assert seen.least.mm >= LEAST_MM
 
 
+@pytest.mark.each_value(full="each second motion at each percentage")
 @pytest.mark.parametrize("percent", [10, 50, 100])
 @pytest.mark.parametrize("second", [home, pose(MoveMode.MOVE_L, 20.0, 60.0, -60.0)])
 def test_home_or_a_line_while_the_arm_moves_goes_there_or_says_why_not(bent, percent, second):

@@ -127,6 +127,7 @@ NASTY = {
 }
 
 
+@pytest.mark.each_value(full="each line in each kind of file")
 @pytest.mark.timeout(30)
 @pytest.mark.parametrize("suffix", NASTY)
 @pytest.mark.parametrize("filling", [" ", "1", "a ", "00 ", "B ", "1.1"])

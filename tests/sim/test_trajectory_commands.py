@@ -106,6 +106,7 @@ def test_a_pause_brakes_and_continuing_goes_on_to_the_target(
     assert np.abs(np.diff(speeds, axis=0) / 0.005).max() <= np.degrees(5.0) * (1 + 1e-4)
 
 
+@pytest.mark.each_value(full="each word in each kind of motion")
 @pytest.mark.parametrize("move", [P, J, L, C])
 @pytest.mark.parametrize("word", [CLEAR_CURRENT, CLEAR_ALL, ABORT])
 def test_a_motion_cleared_or_aborted_brakes_and_is_not_continued(move: int, word: str) -> None:

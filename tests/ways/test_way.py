@@ -43,6 +43,7 @@ def beyond_deg(way, poses):
     return off.max(axis=2).min(axis=1).max()
 
 
+@pytest.mark.each_value(full="each length of a way at each share of the speed")
 @pytest.mark.parametrize("share", [1.0, 0.5, 0.1])
 @pytest.mark.parametrize("most_deg", [5.0, 40.0, 300.0])
 def test_the_arm_is_nowhere_beyond_it(share, most_deg):

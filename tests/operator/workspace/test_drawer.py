@@ -102,6 +102,7 @@ def test_the_help_of_the_picture_opens_below_it(pages):
     assert not page.isVisible()
 
 
+@pytest.mark.each_value(full="each key in both languages")
 @pytest.mark.parametrize(
     "key", ["plots", "events", "bus", "joint_status", "sessions", "guide", "help"]
 )

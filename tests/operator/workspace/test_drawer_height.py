@@ -72,6 +72,7 @@ def test_the_question_of_a_check_is_in_sight_too(pages, where):
     assert is_in_sight(pages, "run_send")
 
 
+@pytest.mark.each_value(full="each page in both languages")
 @pytest.mark.parametrize("language", ["en", "zh"])
 @pytest.mark.parametrize(
     ("page", "content"),

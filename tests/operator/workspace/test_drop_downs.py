@@ -130,6 +130,7 @@ def test_no_drop_down_box_cuts_its_entries_also_after_a_change_of_language(
     assert len(looker.seen) >= _LEAST_BOXES
 
 
+@pytest.mark.each_value(full="each column in both languages")
 @pytest.mark.parametrize("language", ["en", "zh"])
 @pytest.mark.parametrize("column", [PointColumn.MOVE, PointColumn.GRIPPER, PointColumn.LIGHT])
 def test_no_drop_down_box_in_a_cell_cuts_its_entries(pages, language, column):

@@ -37,6 +37,7 @@ def test_no_page_scrolls_sideways(qapp, pages, language):
         translator.set_language("en")
 
 
+@pytest.mark.each_value(full="each page in both languages")
 @pytest.mark.parametrize("language", ["en", "zh"])
 @pytest.mark.parametrize("page", ["events", "sessions", "joint_status", "guide", "help"])
 def test_no_page_of_the_drawer_scrolls_sideways(pages, page, language):

@@ -55,6 +55,7 @@ def committed(model):
     return {path.name: trimesh.load(path) for path in sorted(folder.glob("*.stl"))}
 
 
+@pytest.mark.each_value(full="each link of each model")
 @pytest.mark.parametrize("link", SIZES_MM)
 def test_each_link_has_the_size_of_the_arms(link, model, committed):
     parts = [committed[f"{link}_shell.stl"], committed[f"{link}_joint.stl"]]
