@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 
 from armui.arm.device import Device
+from armui.arm.model_check import ModelFit
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
@@ -42,7 +43,7 @@ from armui.control.safety.recovery_rules import _RULES, STEP_IN_VAIN, next_step
 from armui.control.safety.recovery_steps import ARM_FAULTS, UNHINDERED, Action, Step, StepKind
 from armui.control.safety.reference_status import ReferenceStatus
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
-from armui.protocol.generation import Generation
+from armui.protocol.generation import Generation, PiperModel
 from armui.ui import words
 from tests.ui.arm_states import heard_six
 
@@ -50,6 +51,7 @@ NOW_S = 100.0
 FALSE = (False,) * 6
 JOINT_2 = (False, True, False, False, False, False)
 UNKNOWN_CODE = 0x2F
+OTHER_MODEL = ModelFit(PiperModel.PIPER, frozenset({PiperModel.PIPER_H}))
 
 HEALTHY = DriverSlow(
     voltage_v=24.0,
@@ -201,6 +203,8 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
     yield from in_company()
     yield from in_a_cell()
     yield from locked_otherwise()
+    for enabled in ENABLED:
+        yield arm(status(), enabled), operating_state(arm(status(), enabled), model_fit=OTHER_MODEL)
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
     resting = arm(status(), pose_deg=(0.0, -2.0, 2.0, 0.0, 22.0, 0.0))
@@ -399,6 +403,7 @@ DOUBTS = frozenset(
         StepKind.PAUSED,
         StepKind.HELD_AT_ZERO,
         StepKind.REFERENCE_IN_DOUBT,
+        StepKind.WRONG_MODEL,
     }
 )
 OFFERS_AFTER_THE_CELL = frozenset(
@@ -447,6 +452,18 @@ def test_a_reference_in_doubt_leaves_the_button_of_enabling_its_place():
     on = step_of(arm(status()), reference=doubt)
     assert (on.kind, on.action) == (StepKind.REFERENCE_IN_DOUBT, Action.CHECK_REFERENCE)
     assert on.alternative is Action.ALLOW
+
+
+def test_a_wrong_model_is_settled_before_the_motors_are_enabled(qapp):
+    off = step_of(arm(status(), (False,) * 6), model_fit=OTHER_MODEL)
+    assert (off.kind, off.action) == (StepKind.WRONG_MODEL, Action.CONNECT)
+    assert off.alternative is Action.ENABLE
+    assert words.step(off).startswith("Connected as a PiPER, but the pose it reports is that of a")
+    on = step_of(arm(status()), model_fit=OTHER_MODEL)
+    assert (on.kind, on.action, on.alternative) == (StepKind.WRONG_MODEL, Action.CONNECT, None)
+    # no model of the family fits: another one would help nothing, moving the joints does
+    unlike = OTHER_MODEL._replace(fitting=frozenset())
+    assert step_of(arm(status(), FALSE), model_fit=unlike).kind is StepKind.MOTORS_OFF
 
 
 def test_what_a_step_is_about_is_named():

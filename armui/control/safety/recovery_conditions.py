@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from armui.arm.limits import JOINTS
+from armui.arm.model_check import MODEL_OTHER
 from armui.arm.quirks import exits_by_mode_word
 from armui.arm.refusal import Reason
 from armui.arm.state import ArmState, DriverSlow, Status
@@ -203,6 +204,12 @@ def other_mode(view: RecoveryView) -> Params | None:
 def other_mode_that_ends(view: RecoveryView) -> Params | None:
     """Return the same if the arm's firmware leaves such a mode by a mode word."""
     return other_mode(view) if exits_by_mode_word(view.state) else None
+
+
+def other_model(view: RecoveryView) -> Params | None:
+    """Return that another model of the family fits the arm than the chosen one, or ``None``."""
+    wrong = view.operating_state.model_fit.wrong
+    return {"reason": wrong} if wrong is not None and wrong.reason == MODEL_OTHER else None
 
 
 def other_host_is(code: Reason) -> Applies:

@@ -49,6 +49,7 @@ from armui.control.safety.recovery_conditions import (
     other_host_is,
     other_mode,
     other_mode_that_ends,
+    other_model,
     otherwise_locked,
     outside,
     overspeed,
@@ -310,6 +311,15 @@ _RULES: Final = (
         Action.CHECK_REFERENCE,
         when(lambda view: view.operating_state.reference.checking),
     ),
+    # Connected as another model nothing is computed rightly; without power joints cannot be moved.
+    _Rule(
+        StepKind.WRONG_MODEL,
+        Level.WARNING,
+        Action.CONNECT,
+        when_off(other_model),
+        alternative=Action.ENABLE,
+    ),
+    _Rule(StepKind.WRONG_MODEL, Level.WARNING, Action.CONNECT, other_model),
     # Enabling keeps its button: neither check nor agreement is of use to motors without power.
     _Rule(
         StepKind.REFERENCE_IN_DOUBT,

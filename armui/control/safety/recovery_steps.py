@@ -327,6 +327,7 @@ class StepKind(enum.Enum):
     MOTORS_MIXED = StepText(
         "motors_mixed", "The motors of joint {joints} are off. Hold the arm, then enable them."
     )
+    WRONG_MODEL = StepText("wrong_model", "{reason}")
     NO_MOTION = StepText("no_motion", "{reason}")
     MOTORS_OFF = StepText("motors_off", "The motors are off. Enable them to move the arm.")
     REFERENCE_CHECK = StepText(
