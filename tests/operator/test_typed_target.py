@@ -219,8 +219,11 @@ def test_a_pose_out_of_reach_has_no_ghost_and_says_so(at):
     type_pose(at, X=900.0)
     assert not at.ghost
     assert "reach" in note(at)
+    send = at.app_driver.find("move_p_button")
+    assert not send.property("primary")
     at.app_driver.type_into("pose_field_X", "300")
     at.look()
+    assert send.property("primary")
     assert at.ghost is not None
     assert note(at) == PREVIEW
 

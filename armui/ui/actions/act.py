@@ -149,7 +149,7 @@ class Act:
         return self._marked("whose", method)
 
     def lit(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is highlighted as the main button."""
+        """Mark the method that returns true while it is the main button, if it can be pressed."""
         return self._marked("lit", method)
 
     def _marked(self, what: str, method: _Method) -> _Method:
@@ -251,7 +251,7 @@ class Act:
         use = self._ask(owner, "tip", self._text(self._use).text)
         enable_or_explain(button, self.reason(owner), use, key=keys)
         if "lit" in self._methods:
-            show_primary(button, wanted=self._ask(owner, "lit"))
+            show_primary(button, wanted=button.isEnabled() and self._ask(owner, "lit"))
 
     def _ask(self, owner: HasActs, what: str, default: Callable[[], Any] = str) -> Any:
         """Return what the marked method says; without one the default."""

@@ -372,7 +372,7 @@ class GripperPanel(Panel):
     def _on_send(self) -> None:
         travel, effort = self._travel.field.value, self._effort.field.value
         if travel is None or effort is None:
-            self._accepted(self._travel.refusal() or self._effort.refusal())
+            self._accepted(self._first_wrong())
             return
         if self._accepted(self._controller.gripper.move(travel, effort)):
             self._note_sent()
@@ -384,8 +384,11 @@ class GripperPanel(Panel):
 
     @send.lit
     def _is_new(self) -> bool:
-        """Return true while what is entered was not sent yet."""
-        return self._entered() != self._sent
+        """Return true while what is entered was not sent yet, and is within the ranges."""
+        return self._entered() != self._sent and self._first_wrong() is None
+
+    def _first_wrong(self) -> Refusal | None:
+        return self._travel.refusal() or self._effort.refusal()
 
     def _entered(self) -> tuple[object, ...]:
         return self._kind, self._travel.field.text(), self._effort.field.text()
@@ -534,7 +537,7 @@ class GripperPanel(Panel):
     def _show_message(self) -> None:
         refusal = self._refusal or self._unless_told(self._operating_state.cannot_enable)
         if refusal is None and self._event is None:
-            refusal = self._travel.refusal() or self._effort.refusal()
+            refusal = self._first_wrong()
         if refusal is not None and refusal.reason == BUSY and self._refusal is None:
             refusal = None  # no message is needed: the end of the request is reported
         self._say(refusal, self._event)

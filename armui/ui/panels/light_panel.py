@@ -407,8 +407,8 @@ class LightPanel(Panel):
 
     @confirm.lit
     def _is_new(self) -> bool:
-        """Return true while what is entered was not sent yet."""
-        return self._entered() != self._sent
+        """Return true while what is entered was not sent yet, and is within the ranges."""
+        return self._entered() != self._sent and self._first_wrong() is None
 
     def _show_message(self) -> None:
         standing = self._unless_told(why_no_lamps(self._operating_state))

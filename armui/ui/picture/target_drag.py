@@ -294,7 +294,9 @@ class CartesianTarget(_InForce):
     def typed_deg(self) -> tuple[float, ...] | Refusal | None:
         """Return angles for the pose in the fields, or why the arm can't reach it."""
         pose = self._panel.typed()
-        return None if pose is None else self._solve(pose)
+        answer = None if pose is None else self._solve(pose)
+        self._panel.note_unreachable(pose if isinstance(answer, Refusal) else None)
+        return answer
 
     def carry(self, angles_deg: tuple[float, ...]) -> None:
         """Put the pose of the tool centre point into the fields."""

@@ -49,6 +49,7 @@ class BaseTab(CellTab):
         whose=title,
         key="cell.base_apply",
         title=Text("BaseTab", "Apply the place of the base"),
+        primary=True,
         leads=True,
     )
 
@@ -75,10 +76,6 @@ class BaseTab(CellTab):
     def _why_not_apply(self) -> str:
         same = Placement(figures(self._fields)) == self._cell.placement
         return self._why_not or (self.tr("Nothing is changed.") if same else "")
-
-    @apply.lit
-    def _is_wanted(self) -> bool:
-        return self.apply.isEnabled()
 
     @apply.pressed
     def _on_apply(self) -> None:

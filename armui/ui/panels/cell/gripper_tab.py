@@ -51,6 +51,7 @@ class GripperTab(CellTab):
         tip="Moves the gripper, uncalibrated.",
         key="cell.gripper_open",
         title=Text("GripperTab", "Open the gripper to the next width of its table"),
+        primary=True,
         leads=True,
     )
     apply = Act(
@@ -179,10 +180,6 @@ class GripperTab(CellTab):
         no_move = why_not_move_gripper(self._controller.operating_state)
         return no_move or (done if self._row is None else "")
 
-    @open_next.lit
-    def _is_to_open(self) -> bool:
-        return self.open_next.isEnabled()
-
     @widths.why_not
     def _why_no_widths(self) -> str:
         return self._why_not
@@ -196,7 +193,7 @@ class GripperTab(CellTab):
     @apply.lit
     def _is_to_apply(self) -> bool:
         whole = len(self.typed()) > 1 and self._row is None
-        return self._is_changed() and whole and not self._why_not
+        return self._is_changed() and whole
 
     def _is_changed(self) -> bool:
         return self.typed() != self._cell.gripper_table

@@ -197,7 +197,7 @@ class HeldTab(NamedTab):
 
     @hold.lit
     def _is_to_hold(self) -> bool:
-        return self.hold.isEnabled() and not self._cell.held
+        return not self._cell.held
 
     def _show_news(self) -> None:
         """Say what is to be done next, and light its button."""

@@ -242,6 +242,7 @@ class CartesianPanel(JogPanel):
         self._preferences = preferences
         self._sent = False
         self._heard = False
+        self._unreachable: tuple[float, ...] | None = None
         self._shown_of = controller.cartesian.tool, controller.cartesian.frame
         self._frame = FrameChoice(controller.cartesian)
         self._shown_frame = named("shown_frame_box", QComboBox())
@@ -417,7 +418,7 @@ class CartesianPanel(JogPanel):
         self._send(MoveMode.MOVE_L)
 
     def _send(self, move_mode: MoveMode) -> None:
-        target = self.targets()
+        target = self._tried = self.targets()
         if target is None:
             self._accepted(self._nonsense() or POSE_UNKNOWN())
             return
@@ -463,7 +464,6 @@ class CartesianPanel(JogPanel):
 
     def _on_edited(self) -> None:
         self._sent = False
-        self.show_acts()
         self._accepted(None)
 
     # -- what the arm says --------------------------------------------------------------------
@@ -486,9 +486,17 @@ class CartesianPanel(JogPanel):
 
     @move_p.lit
     def _is_elsewhere(self) -> bool:
-        """Return true while a target was given that was not sent, and that the arm is not at."""
-        pose = None if self._sent else self._shown_pose()
-        return pose is not None and self._differ_from(pose)
+        """Return true while a target was given that the arm is not at, and may reach."""
+        pose, typed = self._shown_pose(), self.typed()
+        if pose is None or typed is None or typed == self._unreachable:
+            return False
+        return self._differ_from(pose) and self._may_work()
+
+    def note_unreachable(self, pose: tuple[float, ...] | None) -> None:
+        """Note the target that is known to be out of reach, or that none is."""
+        if pose != self._unreachable:
+            self._unreachable = pose
+            CartesianPanel.move_p.show(self)
 
     def _stale(self) -> bool:
         state = self._controller.state

@@ -417,6 +417,7 @@ class JogPanel(Panel):
         super().__init__(controller, message_name)
         self._followed_s = 0.0
         self._begun: Started | None = None
+        self._tried: tuple[float, ...] | None = None
         self._untaken: tuple[tuple[float, ...], tuple[bool, ...]] | None = None
         self._numbers = tuple(numbers)
         self._step_label = named(f"{name}_step_label", QLabel())
@@ -521,6 +522,11 @@ class JogPanel(Panel):
         for row, value in zip(self._rows, values or (None,) * len(self._rows), strict=True):
             row.show_target(value)
 
+    def _may_work(self) -> bool:
+        """Return whether nothing is known against the targets in the fields."""
+        refused = self._refusal is not None and self.targets() == self._tried
+        return not refused and self._first_wrong() is None
+
     def _differ_from(self, values: Sequence[float]) -> bool:
         """Return whether a target was given that is none of these."""
         return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
@@ -596,7 +602,9 @@ class JogPanel(Panel):
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:
         self._begun, self._untaken = (answer if isinstance(answer, Started) else None), None
-        return super()._accepted(answer)
+        accepted = super()._accepted(answer)
+        self.show_acts()
+        return accepted
 
     def _on_noticed(self, event: Event) -> None:
         """Say why a jog has ended or a motion was not sent; drop all targets after a new zero."""

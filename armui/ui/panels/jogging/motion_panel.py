@@ -334,7 +334,7 @@ class MotionPanel(JogPanel):
 
     @send.pressed
     def _on_send(self) -> None:
-        targets_deg = self.targets()
+        targets_deg = self._tried = self.targets()
         if targets_deg is None:
             unknown = next(row for row in self._rows if row.field.value is None)
             self._accepted(self._why_no_figure(unknown))
@@ -383,9 +383,9 @@ class MotionPanel(JogPanel):
 
     @send.lit
     def _is_elsewhere(self) -> bool:
-        """Return true while a target was given that the arm is not at."""
+        """Return true while a target was given that the arm is not at, and may reach."""
         angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
-        return self._differ_from(angles_deg)
+        return self._differ_from(angles_deg) and self._may_work()
 
     def _forget_targets(self) -> None:
         self._fill(None)
