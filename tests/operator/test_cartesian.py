@@ -209,10 +209,12 @@ def capture(app_driver, point, angles_deg):
 
 
 def test_an_arc_through_three_captured_poses(bent):
-    bent.click("move_c_button")
-    assert "Not captured yet: start" in bent.read("pose_message")
+    start, along = bent.find("arc_start_button"), bent.find("move_c_button")
+    assert "Not captured yet: start" in start.toolTip()
     capture(bent, "start", BENT_DEG)
     capture(bent, "middle", (25.0, *BENT_DEG[1:]))
+    assert (start.isEnabled(), along.isEnabled()) == (True, False)
+    assert "Not captured yet: end" in along.toolTip()
     capture(bent, "end", (40.0, *BENT_DEG[1:]))
     arm_hears(bent)
     bent.click("move_c_button")

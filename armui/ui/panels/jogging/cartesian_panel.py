@@ -52,9 +52,6 @@ from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
-ARC_INCOMPLETE = Reason(
-    "arc_incomplete", "Not captured yet: {point}. Bring the arm there and press its button."
-)
 TARGET_REFUSED = Reason(
     "target_refused", "The arm itself refuses its last target: {status}. Send another one."
 )
@@ -443,20 +440,12 @@ class CartesianPanel(JogPanel):
             self._accepted(None)
 
     def _on_go_to_start(self) -> None:
-        start = self._arc.poses[0]
-        if start is None:
-            point = self._arc.missing() or ""
-            self._accepted(ARC_INCOMPLETE(point=point))
-        else:
+        if (start := self._arc.poses[0]) is not None:
             self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
 
     def _on_send_arc(self) -> None:
         points = [pose for pose in self._arc.poses if pose is not None]
-        missing = self._arc.missing()
-        if missing is not None:
-            self._accepted(ARC_INCOMPLETE(point=missing))
-        else:
-            self._accepted(self._controller.cartesian.move_arc(*points))
+        self._accepted(self._controller.cartesian.move_arc(*points))
 
     def typed(self) -> tuple[float, ...] | None:
         """Return the typed target; a sent one stays in the fields until the arm is there."""

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from armui.arm.refusal import Reason, Refusal
 from armui.control.motion.cartesian import Cartesian
 from armui.kinematics.axes import AXES, LINEAR_AXES
 from armui.ui import format as fmt
@@ -31,6 +32,11 @@ from armui.ui.words.text import Text
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.cell.cell_control import CellControl
+
+ARC_INCOMPLETE = Reason(
+    "arc_incomplete", "Not captured yet: {point}. Bring the arm there and press its button."
+)
+
 
 Pose = tuple[float, ...]
 _POINTS: Final[Mapping[str, Text]] = {
@@ -140,6 +146,7 @@ class ArcBox(HasActs, Translated, QWidget):
         tip="Moves to the captured start with MOVE P.",
         key="cartesian.arc_start",
         title=Text("ArcBox", "Go to start"),
+        leads=True,  # the page shows which poses are captured
     )
     send = Act(
         "MOVE C",
@@ -148,6 +155,7 @@ class ArcBox(HasActs, Translated, QWidget):
         tip="Moves from the start through the middle to the end. Some firmware has no arcs.",
         key="cartesian.move_c",
         title=Text("Action", "MOVE C: along the arc"),
+        leads=True,
     )
 
     def __init__(self, controller: ArmController) -> None:
@@ -173,6 +181,22 @@ class ArcBox(HasActs, Translated, QWidget):
     def _on_capture(self, place: int) -> None:
         self.capture_wanted.emit(place)
 
+    @go_to_start.why_not
+    def _why_no_start(self) -> Refusal | None:
+        return self._why_not(1)
+
+    @send.why_not
+    def _why_no_arc(self) -> Refusal | None:
+        return self._why_not(len(self.poses))
+
+    def _why_not(self, poses: int) -> Refusal | None:
+        """Return why the arm cannot move now, or which of the first poses is not captured."""
+        names = (self.tr("start"), self.tr("middle"), self.tr("end"))
+        pairs = zip(names[:poses], self.poses, strict=False)
+        missing = next((name for name, pose in pairs if pose is None), None)
+        incomplete = None if missing is None else ARC_INCOMPLETE(point=missing)
+        return self._controller.operating_state.cannot_move or incomplete
+
     @go_to_start.pressed
     def _on_go_to_start(self) -> None:
         self.start_wanted.emit()
@@ -191,14 +215,8 @@ class ArcBox(HasActs, Translated, QWidget):
         self.poses = [None, None, None]
         self._show_poses()
 
-    def missing(self) -> str | None:
-        """Return the name of the first pose that is not captured yet."""
-        names = (self.tr("start"), self.tr("middle"), self.tr("end"))
-        return next(
-            (name for name, pose in zip(names, self.poses, strict=True) if pose is None), None
-        )
-
     def _show_poses(self) -> None:
+        self.show_acts()
         for text, pose in zip(self._texts, self.poses, strict=True):
             if pose is None:
                 text.setText(fmt.NOTHING)
@@ -211,7 +229,6 @@ class ArcBox(HasActs, Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.show_acts()
         self._show_poses()
 
 
