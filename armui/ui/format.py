@@ -12,7 +12,6 @@ NOTHING: Final = "—"
 DECIMALS: Final = 3
 """The decimals of angles and lengths: the resolution of the bus."""
 
-_HOUR_S: Final = 3600
 _MINUTE_S: Final = 60
 _MOST_NAMES: Final = 5
 _SHORT: Final = 14
@@ -93,16 +92,25 @@ def joint_spans(numbers: list[int]) -> str:
     return ", ".join(texts)
 
 
-def duration(seconds: float | None) -> str:
-    """Return the duration of a motion as text: ``7.5 s``, ``12:30`` or ``1:05:00``."""
-    if seconds is None:
-        return NOTHING
-    if seconds < _MINUTE_S:
-        return f"{seconds:.1f} s"
-    whole = round(seconds)
-    hours, rest = divmod(whole, _HOUR_S)
-    minutes, left = divmod(rest, _MINUTE_S)
-    return f"{hours}:{minutes:02}:{left:02}" if hours else f"{minutes}:{left:02}"
+def duration(seconds: float | None, decimals: int = 1) -> str:
+    """Return how long something takes as text: ``7.5 s``, ``12:30`` or ``1:05:00``.
+
+    Args:
+        seconds: The time; ``None`` if it is not known.
+        decimals: Those of a time below a minute; 0 for one that is counted while it is seen.
+    """
+    if seconds is None or round(seconds, decimals) < _MINUTE_S:
+        return with_unit(seconds, "s", decimals)
+    return clock(seconds)
+
+
+def clock(seconds: float, decimals: int = 0) -> str:
+    """Return a place on a line of time as text: ``0:07``, ``12:30.5`` or ``1:05:00``."""
+    whole, part = divmod(max(0, round(seconds * 10**decimals)), 10**decimals)
+    minutes, second = divmod(whole, _MINUTE_S)
+    hours, minute = divmod(minutes, _MINUTE_S)
+    head = f"{hours}:{minute:02}" if hours else f"{minute}"
+    return f"{head}:{second:02}" + (f".{part:0{decimals}}" if decimals else "")
 
 
 def short(name: str) -> str:

@@ -4349,8 +4349,8 @@
         <translation>次数</translation>
     </message>
     <message>
-        <source>{begin} until {end} ({seconds} s)</source>
-        <translation>{begin} 至 {end}（{seconds} s）</translation>
+        <source>{begin} until {end} ({duration})</source>
+        <translation>{begin} 至 {end}（{duration}）</translation>
     </message>
     <message>
         <source>; its end was not heard</source>

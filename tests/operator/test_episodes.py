@@ -34,8 +34,8 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
     card.refresh()
     mark = app_driver.find("recording_mark")
     mark._show_time()
-    assert mark.text().strip() == "0:01 · episode 1 under way, 0:01"
-    assert card.state_label.text().endswith(" · episode 1 under way, 0:01")
+    assert mark.text().strip() == "1 s · episode 1 under way, 1 s"
+    assert card.state_label.text().endswith(" · episode 1 under way, 1 s")
     assert not card.begin_button.isEnabled()
     app_driver.click("episode_end")
     assert card.state_label.text().endswith(" · 1 episodes")
@@ -75,7 +75,7 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
     (told,) = [
         each for each in line.told_at(line.place_px(found[0].begin_s + 0.6)) if "Episode 1:" in each
     ]
-    assert "0:01.2" in told, "it is told all through it, with its length"
+    assert "1.2" in told, "it is told all through it, with its length"
     seen = line.grab().toImage()
     top_px = 17  # of the band of an episode; one that was discarded is a thin line below
     times_s = [(each.begin_s + (each.end_s or each.begin_s)) / 2.0 for each in found]

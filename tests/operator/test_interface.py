@@ -224,8 +224,8 @@ def test_the_bar_says_who_does_what_since_when(desk, client):
         desk.driver.run(0.5)
         client.ask("ping")
     desk.bar._say()
-    minutes, seconds = desk.bar.text.split(" · ")[1].split(":")
-    assert 60 * int(minutes) + int(seconds) >= 2
+    seconds = desk.bar.text.split(" · ")[1].removesuffix(" s")
+    assert int(seconds) >= 2
 
 
 def test_take_back_ends_and_halts(desk, client):

@@ -37,9 +37,10 @@ from armui.session.recording.kinds import RecordingFormat
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.survey import survey
 from armui.system.clock import in_calendar_s, local_time
-from armui.ui.watch.recordings.recording_card import length_text, moment_text
+from armui.ui import format as fmt
+from armui.ui.watch.recordings.recording_card import moment_text
 from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
-from armui.ui.watch.replay.log_time import duration, moment
+from armui.ui.watch.replay.log_time import moment
 from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import Player
 from tests.operator.replay_actions import Replay
@@ -117,7 +118,7 @@ def test_strange_times_are_indexed_surveyed_played_decoded_and_exported(
     assert -LATEST_S <= session.start_s <= session.end_s <= LATEST_S
     (found,) = survey(session)
     assert found.firmware == "S-V1.8-9"
-    moment(session.start_s), duration(session.end_s - session.start_s)
+    moment(session.start_s), fmt.clock(session.end_s - session.start_s, 3)
     for mark in session.marks:
         assert mark_text(mark)
     for speed in (1.0, 20.0):
@@ -315,7 +316,7 @@ def test_each_bad_sidecar_costs_itself_and_is_named(tmp_path):
         assert found.keys() == {"good", name}
         entry = found[name]
         assert entry.path == path
-        moment_text(entry.begun_unix_s), length_text(entry.length_s)
+        moment_text(entry.begun_unix_s), fmt.duration(entry.length_s)
         try:
             session = RecordedSession(path)
         except NotALogError:
@@ -355,7 +356,7 @@ def test_an_index_whose_times_are_none_is_none(tmp_path, field, odd):
     index.write_bytes(index_file.MAGIC + index_file.Block(**fields).record())
     (entry,) = list_recordings(tmp_path)
     assert entry.length_s is None
-    assert length_text(entry.length_s) == "—"
+    assert fmt.duration(entry.length_s) == "—"
     session = RecordedSession(path)
     assert -LATEST_S <= session.start_s <= session.end_s <= LATEST_S
     assert session.frames == 20  # read as what a killed program leaves

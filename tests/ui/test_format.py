@@ -48,6 +48,20 @@ def test_typed_figures(text, value):
     assert fmt.parse_number(text) == value
 
 
+@pytest.mark.parametrize(
+    ("seconds", "length", "place"),
+    [
+        (0.0, "0.000 s", "0:00.000"),
+        (7.25, "7.250 s", "0:07.250"),
+        (59.9996, "1:00", "1:00.000"),
+        (3723.0, "1:02:03", "1:02:03.000"),
+    ],
+)
+def test_a_time_is_written_alike_everywhere(seconds, length, place):
+    assert (fmt.duration(seconds, 3), fmt.clock(seconds, 3)) == (length, place)
+    assert fmt.duration(None) == "—"
+
+
 def test_joints_in_a_row_are_one_span():
     assert fmt.joint_spans([1, 3, 4, 5, 6]) == "J1, J3–J6"
     assert fmt.joint_spans([1, 2, 5, 6]) == "J1, J2, J5, J6"

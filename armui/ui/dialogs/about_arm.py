@@ -122,7 +122,9 @@ def about_rows(
         "feedback": _feedback(now, online=online),
         "commands": _commands(now, online=online),
         "rate": _rate(frames_per_s, online=online),
-        "online": _duration(online_s),
+        "online": translate("AboutArm", "not heard")
+        if online_s is None
+        else fmt.duration(online_s, 0),
         "running": untold,
         **{f"joint_{joint}": _limits(state, joint) for joint in JOINTS},
         "end": _end_limits(state),
@@ -250,14 +252,6 @@ def _rate(frames_per_s: float | None, *, online: bool) -> str:
     if frames_per_s is None or not online:
         return _unknown()
     return translate("AboutArm", "{rate} per second").format(rate=f"{frames_per_s:.0f}")
-
-
-def _duration(seconds: float | None) -> str:
-    if seconds is None:
-        return translate("AboutArm", "not heard")
-    minutes, left = divmod(int(seconds), 60)
-    hours, minutes = divmod(minutes, 60)
-    return f"{hours}:{minutes:02}:{left:02}"
 
 
 def _limits(state: ArmState, joint: int) -> str:

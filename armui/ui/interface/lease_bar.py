@@ -112,10 +112,9 @@ class LeaseBar(HasActs, Translated, QWidget):
         return self.tr("Local interface: {names} connected, without the arm").format(names=names)
 
     def _leased(self, view: InterfaceView, lease: Lease) -> str:
-        since_s = int(self._interface.seconds_since(lease.since_s))
         parts = [
             self.tr("“{client}” has the arm").format(client=str(lease.ask.client)),
-            f"{since_s // 60}:{since_s % 60:02}",
+            fmt.duration(self._interface.seconds_since(lease.since_s), 0),
             self._doing(view.doing),
         ]
         if lease.ask.moves:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import pytest
-
 from armui.session.session import MarkKind, SessionMark
-from armui.ui.watch.replay.log_time import duration, has_date, moment
+from armui.ui.watch.replay.log_time import has_date, moment
 from armui.ui.watch.replay.mark_places import MarkSearch, end_of
 from armui.ui.watch.replay.time_line import mark_text
 from tests.bus.playback.logs import log_with
@@ -56,14 +54,6 @@ def test_silence_is_marked_with_its_end(tmp_path):
     # off from 1.1 s to 1.4 s: shorter than what counts as silence
     assert silent == []
     session.close()
-
-
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [(0.0, "0:00.000"), (7.25, "0:07.250"), (3723.0, "1:02:03.000"), (59.9996, "1:00.000")],
-)
-def test_durations(seconds, text):
-    assert duration(seconds) == text
 
 
 def test_times_no_calendar_has_are_no_harm():

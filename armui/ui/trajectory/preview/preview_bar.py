@@ -8,6 +8,7 @@ from typing import Final
 from PySide6.QtCore import QElapsedTimer, QSignalBlocker, QTimer, Signal
 from PySide6.QtWidgets import QFrame
 
+from armui.ui import format as fmt
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.widgets.buttons import caption, describe, named, push_button
 from armui.ui.widgets.layouts import in_row
@@ -72,7 +73,7 @@ class PreviewBar(HasActs, Translated, QFrame):
         """Show a motion of this duration from its beginning."""
         self._play.setChecked(False)
         self._duration_s = duration_s
-        widest = re.sub(r"\d", "0", _clock(duration_s))
+        widest = re.sub(r"\d", "0", fmt.clock(duration_s, 1))
         self._time.set_widest(f"{widest} / {widest}")
         self._slider.set_limits(0.0, duration_s)
         self.go_to(0.0)
@@ -99,7 +100,9 @@ class PreviewBar(HasActs, Translated, QFrame):
         self.closed.emit()
 
     def _on_moved(self) -> None:
-        self._time.show_text(f"{_clock(self.time_s)} / {_clock(self._duration_s)}", stale=False)
+        self._time.show_text(
+            f"{fmt.clock(self.time_s, 1)} / {fmt.clock(self._duration_s, 1)}", stale=False
+        )
         self.time_changed.emit(self.time_s)
 
     def _on_play(self, playing: bool) -> None:
@@ -129,9 +132,3 @@ class PreviewBar(HasActs, Translated, QFrame):
         describe(self._slider, self.tr("Time of the preview"), tip)
         self.show_acts()
         self._name_play()
-
-
-def _clock(time_s: float) -> str:
-    """Minutes, seconds and tenths."""
-    minutes, tenths = divmod(round(10.0 * time_s), 600)
-    return f"{minutes:02d}:{tenths // 10:02d}.{tenths % 10}"

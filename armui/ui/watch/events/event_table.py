@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView
 
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
+from armui.ui import format as fmt
 from armui.ui.format import NOTHING
 from armui.ui.theme import Colors
 from armui.ui.watch.events.event_filter import EventFilter, gravity
@@ -102,11 +103,11 @@ def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
     begin = f"{entry.wall:%Y-%m-%d} {begin}" if dated else begin
     when = begin
     if entry.ended_s is not None:
-        text = QCoreApplication.translate("EventTable", "{begin} until {end} ({seconds} s)")
+        text = QCoreApplication.translate("EventTable", "{begin} until {end} ({duration})")
         when = text.format(
             begin=begin,
             end=clock_text(entry, entry.ended_s),
-            seconds=f"{max(0.0, entry.ended_s - entry.at_s):.3f}",
+            duration=fmt.duration(max(0.0, entry.ended_s - entry.at_s), 3),
         )
         if entry.unheard:
             when += QCoreApplication.translate("EventTable", "; its end was not heard")

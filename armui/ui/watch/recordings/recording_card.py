@@ -48,7 +48,6 @@ _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".log", "candump"),
 )
 _ICON_PX: Final = 18
-_HOUR_S: Final = 3600
 _MARK_ICON_PX: Final = 14
 _LOOK_MS: Final = 1000
 _BETWEEN_PX: Final = 12
@@ -58,21 +57,10 @@ _INSIDE: Final = (8, 6, 8, 6)
 """The margins of a card: two lines each, so that the list below has the drawer."""
 
 
-def length_text(seconds: float | None) -> str:
-    """Return a length of time as text: ``1:05``, ``2:03:04``."""
-    if seconds is None:
-        return fmt.NOTHING
-    whole = int(seconds)
-    minutes, rest = divmod(whole % _HOUR_S, 60)
-    if whole >= _HOUR_S:
-        return f"{whole // _HOUR_S}:{minutes:02}:{rest:02}"
-    return f"{minutes}:{rest:02}"
-
-
 def episode_text(number: int, elapsed_s: float) -> str:
     """Return the text on the episode under way."""
     text = QCoreApplication.translate("RecordingCard", "episode {number} under way, {length}")
-    return text.format(number=number, length=length_text(elapsed_s))
+    return text.format(number=number, length=fmt.duration(elapsed_s, 0))
 
 
 def moment_text(unix_s: float) -> str:
@@ -145,7 +133,7 @@ class RingCard(HasActs, Translated, QFrame):
             return
         self.content_label.show_text(
             self.tr("{length} of {minutes} minutes · {frames} frames").format(
-                length=length_text(ring.span_s),
+                length=fmt.duration(ring.span_s, 0),
                 minutes=round(KEPT_S / 60),
                 frames=fmt.count(ring.frames),
             )
@@ -323,7 +311,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         if self._before is None or progress.elapsed_s - self._before[0] >= 1.0:
             self._before = progress.elapsed_s, progress.total_bytes
         text = self.tr("{length} · {frames} frames · {size} · {rate}/s").format(
-            length=length_text(progress.elapsed_s),
+            length=fmt.duration(progress.elapsed_s, 0),
             frames=fmt.count(progress.frames),
             size=size_text(progress.total_bytes),
             rate=size_text(round(self._rate)),
@@ -438,7 +426,7 @@ class RecordingMark(Translated, QToolButton):
     def _show_time(self) -> None:
         progress = self._sessions.progress()
         if progress is not None:
-            text = length_text(progress.elapsed_s)
+            text = fmt.duration(progress.elapsed_s, 0)
             episode = self._episodes.under_way
             if episode is not None:
                 text += " · " + episode_text(episode.number, self._episodes.elapsed_s)

@@ -41,7 +41,6 @@ from armui.ui.watch.recordings import recording_files
 from armui.ui.watch.recordings.recording_card import (
     RecordingCard,
     RingCard,
-    length_text,
     moment_text,
 )
 from armui.ui.widgets.buttons import named
@@ -214,7 +213,7 @@ class SessionsModel(TableModel):
         if column is SessionColumn.BEGUN:
             return moment_text(entry.begun_unix_s)
         if column is SessionColumn.LENGTH:
-            return length_text(entry.length_s)
+            return fmt.duration(entry.length_s, 0)
         if column is SessionColumn.SIZE:
             return size_text(entry.total_bytes)
         if column is SessionColumn.FAULTS:

@@ -35,13 +35,3 @@ def moment(at_s: float) -> str:
     at = wall_time(at_s)
     text = f"{at:%H:%M:%S}.{at.microsecond // 1000:03d}"
     return f"{at:%Y-%m-%d} {text}" if has_date(at_s) else text
-
-
-def duration(seconds: float) -> str:
-    """Return a stretch of a log as text: ``0:07.250``, ``1:02:03.000``."""
-    milliseconds = max(0, round(seconds * 1e3))
-    whole_s, rest_ms = divmod(milliseconds, 1000)
-    minutes, second = divmod(whole_s, 60)
-    hours, minute = divmod(minutes, 60)
-    head = f"{hours}:{minute:02d}" if hours else f"{minute}"
-    return f"{head}:{second:02d}.{rest_ms:03d}"

@@ -20,6 +20,7 @@ from armui.arm.joint_status import Item, Word
 from armui.control.devices.joint_monitor import JointMonitor
 from armui.protocol.generation import Generation
 from armui.session.log_model import told_cell
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.picture.cell_in_picture import area_picture, held_picture
 from armui.ui.shell.robot_in_view import RobotInView, show_in_view
@@ -29,7 +30,7 @@ from armui.ui.watch.curves_item import Missing
 from armui.ui.watch.joint_status_page import JointCellDelegate, JointStatusModel
 from armui.ui.watch.plot_layout import SETS
 from armui.ui.watch.plots_area import PlotsArea
-from armui.ui.watch.replay.log_time import duration, moment, wall_time
+from armui.ui.watch.replay.log_time import moment, wall_time
 from armui.ui.watch.replay.mark_places import MarkSearch
 from armui.ui.watch.replay.replay_events import ReplayEvents
 from armui.ui.watch.replay.replay_frames import ReplayFrames
@@ -365,7 +366,8 @@ class ReplayView(Translated, QWidget):
         for part in (self.events, self.whole, self.frames):
             part.show_position(at_s)
         self.frame.clock.setText(moment(at_s))
-        since, whole = duration(at_s - session.start_s), duration(session.end_s - session.start_s)
+        ends_s = at_s, session.end_s
+        since, whole = (fmt.clock(each_s - session.start_s, 3) for each_s in ends_s)
         self.transport.place.setText(f"{since} / {whole}")
         self.transport.show_playing(playing=replay.is_playing, at_end=replay.is_at_end)
         self.transport.show_faults(

@@ -11,10 +11,11 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from armui.control.event_log.log_events import entry_of
 from armui.session.session import MarkKind
+from armui.ui import format as fmt
 from armui.ui.format import NOTHING
 from armui.ui.theme import Colors, colors_of
 from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
-from armui.ui.watch.replay.log_time import duration, moment, wall_time
+from armui.ui.watch.replay.log_time import moment, wall_time
 from armui.ui.watch.replay.mark_places import MarkPlaces, end_of
 from armui.ui.widgets.translated import Translated
 
@@ -141,7 +142,7 @@ class TimeLine(Translated, QWidget):
         for mark in self._marks:
             ended_s = end_of(mark, self._end_s) or mark.at_s
             if mark.at_s - near_s <= at_s <= ended_s + near_s:
-                lasting = duration(ended_s - mark.at_s) if ended_s > mark.at_s else ""
+                lasting = fmt.duration(ended_s - mark.at_s, 3) if ended_s > mark.at_s else ""
                 words = f"{moment(mark.at_s)}  {mark_text(mark)}"
                 found.append(f"{words} ({lasting})" if lasting else words)
         return found
@@ -274,7 +275,7 @@ class TimeLine(Translated, QWidget):
         """Times since the beginning, as many as there is room for."""
         painter.setPen(QColor(colors.muted))
         metrics = painter.fontMetrics()
-        room_px = metrics.horizontalAdvance(duration(self._end_s - self._start_s)) + 24
+        room_px = metrics.horizontalAdvance(fmt.clock(self._end_s - self._start_s, 3)) + 24
         span_s = self._to_s - self._from_s
         count = max(1, int((self.width() - 2 * _EDGE_PX) / room_px))
         step_s = _round_step(span_s / count)
@@ -282,7 +283,7 @@ class TimeLine(Translated, QWidget):
         for number in range(first, first + count + 2):
             since_s = number * step_s
             x = self.place_px(self._start_s + since_s)
-            text = duration(since_s)
+            text = fmt.clock(since_s, 3)
             text = text.partition(".")[0] if step_s >= 1.0 else text
             width = metrics.horizontalAdvance(text)
             left = min(max(x - width / 2, 0.0), self.width() - width)
