@@ -9041,6 +9041,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂正在下沉，没有电机支撑。请扶住。下方：{below}。</translation>
     </message>
     <message>
+        <source>No motor holds joint {joint}, and the arm gives way there. Hold it. Below it: {below}.</source>
+        <translation>关节 {joint} 没有电机支撑，机械臂在此处松动。请扶住。下方：{below}。</translation>
+    </message>
+    <message>
         <source>The arm sinks though its motors are on. Hold it. Below it: {below}.</source>
         <translation>电机已使能，但机械臂仍在下沉。请扶住。下方：{below}。</translation>
     </message>
@@ -16338,6 +16342,10 @@ Before: {before}</source>
     <message>
         <source>The arm moves, and no motor holds it: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>
         <translation>机械臂在运动，且没有电机支撑：{seconds} 秒内 J{joint} 转动 {turned}°，当前 {speed} mm/s。</translation>
+    </message>
+    <message>
+        <source>The arm moves, and no motor holds J{joint}: by {turned}° in {seconds} s, now at {speed} mm/s.</source>
+        <translation>机械臂在运动，且 J{joint} 没有电机支撑：{seconds} 秒内转动 {turned}°，当前 {speed} mm/s。</translation>
     </message>
     <message>
         <source>The arm moves, and nothing told it to: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>

@@ -1,6 +1,7 @@
 """S37: an arm without power is told to sink, how far and how fast, until it is measured at rest."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 from armui.control.operating_state import StopState
@@ -190,7 +191,8 @@ def test_after_disabling_all_motors_the_drop_is_told(any_rig):
 def check_figures_of_a_drop(rig, truth):
     motion = seen(rig)
     assert motion.kind is MotionKind.SINKS
-    assert motion.cause is Unheld.MOTORS_OFF
+    all_off = not any(rig.controller.operating_state.enabled)
+    assert motion.cause is (Unheld.MOTORS_OFF if all_off else Unheld.JOINTS_OFF)
     slack_mm = 1.5 + SHOWN_S * max(truth.speeds_mm_s())
     assert abs(motion.down_mm - truth.down_mm) <= slack_mm
 
@@ -205,6 +207,11 @@ def test_of_one_motor_only_what_its_joint_does_is_told(rig):
     check_figures_of_a_drop(rig, truth)
     assert seen(rig).joint == 3
     assert rig.controller.recovery.step.kind is StepKind.MOTORS_MIXED
+    (told,) = [event for event in rig.events if event.code.startswith("arm_")]
+    assert words.event(told).startswith("No motor holds joint 3, ")
+    assert "no motor holds J3" in words.uncommanded_motion(
+        replace(seen(rig), kind=MotionKind.MOVES)
+    )
     truth.run(5.0)
     assert seen(rig) is None
     assert rig.events[-1].code == "arm_rests"

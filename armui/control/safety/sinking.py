@@ -34,7 +34,9 @@ _SHORTEST_S: Final = 0.05
 _JUMP_DEG: Final = 2.0
 _JUMP_DEG_S: Final = 400.0
 """No joint turns that fast: the angles are counted from another zero, and nothing has moved."""
-_BY_WEIGHT: Final = frozenset({Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.NOT_TOLD})
+_BY_WEIGHT: Final = frozenset(
+    {Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.JOINTS_OFF, Unheld.NOT_TOLD}
+)
 """Where a way down is the arm's weight: elsewhere a motor or a hand may have led it."""
 _SOON_S: Final = 10.0
 _LATER_S: Final = 60.0

@@ -32,6 +32,12 @@ ARM_SINKS = Notice(
     Level.WARNING,
     EventKind.STATUS,
 )
+ARM_JOINT_UNHELD = Notice(
+    "arm_joint_unheld",
+    "No motor holds joint {joint}, and the arm gives way there. Hold it. Below it: {below}.",
+    Level.WARNING,
+    EventKind.STATUS,
+)
 ARM_SINKS_POWERED = Notice(
     "arm_sinks_powered",
     "The arm sinks though its motors are on. Hold it. Below it: {below}.",
@@ -184,7 +190,7 @@ class SinkingControl(ControllerPart):
             return Unheld.STOPPED, ALL_JOINTS
         if off:
             self._expects_motion = False
-            return Unheld.MOTORS_OFF, off
+            return (Unheld.MOTORS_OFF if off == ALL_JOINTS else Unheld.JOINTS_OFF), off
         if in_drag_teaching(state):
             self._expects_motion = True
             replays = status is not None and phase_of(status) is TeachingPhase.REPLAYING
@@ -279,6 +285,8 @@ def _is_led(status: Status | None) -> bool:
 
 
 def _begins(motion: UncommandedMotion) -> Notice:
+    if motion.cause is Unheld.JOINTS_OFF:
+        return ARM_JOINT_UNHELD
     powered = motion.cause is Unheld.NOT_TOLD
     if motion.kind is MotionKind.SINKS:
         return ARM_SINKS_POWERED if powered else ARM_SINKS

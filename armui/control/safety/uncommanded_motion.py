@@ -16,7 +16,9 @@ class Unheld(enum.Enum):
     STOPPED = "stopped"
     """The emergency stop has taken the power; the windings brake."""
     MOTORS_OFF = "motors_off"
-    """Motors have no power: disabled, after a resume, or by a fault."""
+    """No motor has power: disabled, or after a resume."""
+    JOINTS_OFF = "joints_off"
+    """Some motors have no power: disabled, or by a fault."""
     DRAG_TEACHING = "drag_teaching"
     """In drag teaching, where nobody is known to lead it."""
     OWN_REPLAY = "own_replay"
@@ -53,7 +55,7 @@ class UncommandedMotion:
         seconds: The time since it began to move, or since it was last heard.
         down_mm: How far the lowest of flange, fingertip and held object has come down meanwhile;
             0 if it has not.
-        joint: The joint (1–6) that has turned furthest.
+        joint: The joint (1–6) that has turned furthest, of those that it is about.
         turned_deg: How far that joint has turned.
         speed_mm_s: The speed of the flange now, or when it was last heard; 0: it stood still,
             ``None``: that was not measured.

@@ -17,6 +17,8 @@ _SENTENCES: Final = Texts("UncommandedMotion") | {
     "(J{joint} {turned}°), now at {speed} mm/s. Below it: {below}. Hold it.",
     "unheld": "The arm moves, and no motor holds it: J{joint} by {turned}° in {seconds} s, now at "
     "{speed} mm/s.",
+    "unheld_joint": "The arm moves, and no motor holds J{joint}: by {turned}° in {seconds} s, now "
+    "at {speed} mm/s.",
     "untold": "The arm moves, and nothing told it to: J{joint} by {turned}° in {seconds} s, now "
     "at {speed} mm/s.",
     "in_drag": "The arm moves, by a hand or its own weight: J{joint} by {turned}° in {seconds} s, "
@@ -44,6 +46,7 @@ _WORDS: Final = Texts("UncommandedMotionWord") | {
 _BELOW: Final = Texts("UncommandedMotion") | {"nothing": "table or floor"}
 _AGO: Final = Texts("UncommandedMotion") | {"s": "{count} s", "min": "{count} min"}
 _OF_CAUSE: Final = {
+    Unheld.JOINTS_OFF: "unheld_joint",
     Unheld.NOT_TOLD: "untold",
     Unheld.DRAG_TEACHING: "in_drag",
     Unheld.OWN_REPLAY: "own_replay",
