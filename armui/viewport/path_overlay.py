@@ -193,12 +193,17 @@ class PathOverlay:
             return room_around(places, projection)
 
         def draw(on: QPainter) -> None:
-            self._draw(on, path, preview.current_row, palette)
+            self._draw(on, path, preview.current_row, projection, palette)
 
         self._layer.paint(painter, key, room, draw)
 
     def _draw(
-        self, painter: QPainter, path: PathPicture, current_row: int | None, palette: ScenePalette
+        self,
+        painter: QPainter,
+        path: PathPicture,
+        current_row: int | None,
+        projection: Projection,
+        palette: ScenePalette,
     ) -> None:
         font = QFont(painter.font())
         font.setPointSizeF(font.pointSizeF() * _SMALLER)
@@ -210,7 +215,7 @@ class PathOverlay:
             elif tag.row == current_row:
                 color = palette.current
             place = QPointF(tag.x_px + _TAG_OFFSET_PX[0], tag.y_px + _TAG_OFFSET_PX[1])
-            paint_tag(painter, place, str(tag.row + 1), color, palette)
+            paint_tag(painter, place, str(tag.row + 1), projection, color=color, palette=palette)
         for sign in self._signs:
             _paint_sign(painter, sign, palette)
 

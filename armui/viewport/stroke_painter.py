@@ -117,7 +117,7 @@ class StrokePainter:
                 painter.setPen(pen)
                 painter.drawPolyline(points)
             if stroke.label and len(points) > 1:
-                self._label(painter, stroke, points[-2:], palette)
+                self._label(painter, stroke, points[-2:], projection, palette)
         painter.restore()
 
     def _pen(self, color: str, opacity: float, width_px: float) -> QPen:
@@ -132,18 +132,26 @@ class StrokePainter:
         return pen
 
     def _label(
-        self, painter: QPainter, stroke: Stroke, line: Sequence[QPointF], palette: ScenePalette
+        self,
+        painter: QPainter,
+        stroke: Stroke,
+        line: Sequence[QPointF],
+        projection: Projection,
+        palette: ScenePalette,
     ) -> None:
-        """Write beyond the end of a line, so that it stands on neither."""
+        """Write beyond the end of a line that is in the picture, so that it stands on neither."""
+        before, end = line
+        if not _whole(projection).contains(end):
+            return
         text = self._text(painter, stroke.label)
         size = text.size()
-        before, end = line
         across, down = end.x() - before.x(), end.y() - before.y()
         share = ((size.width() + size.height()) / 4.0 + _LABEL_GAP_PX) / max(
             1e-6, math.hypot(across, down)
         )
         place = QRectF(0.0, 0.0, size.width() + 6.0, self._label_height_px)
         place.moveCenter(QPointF(end.x() + across * share, end.y() + down * share))
+        place = _moved_inside(place, projection)
         painter.setPen(Qt.PenStyle.NoPen)
         ground = self._pen(palette.background, _HALO_OPACITY, 0.0).color()
         painter.setBrush(ground)
@@ -209,16 +217,33 @@ def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projec
     if points.isEmpty():
         return QRectF()
     around = points.boundingRect().adjusted(-_RIM_PX, -_RIM_PX, _RIM_PX, _RIM_PX)
-    return around & QRectF(0.0, 0.0, projection.width_px, projection.height_px)
+    return around & _whole(projection)
+
+
+def _whole(projection: Projection) -> QRectF:
+    return QRectF(0.0, 0.0, projection.width_px, projection.height_px)
+
+
+def _moved_inside(label: QRectF, projection: Projection) -> QRectF:
+    """Return where a label stands if the edges of the picture are not to cut it."""
+    left = min(label.left(), projection.width_px - label.width())
+    top = min(label.top(), projection.height_px - label.height())
+    return QRectF(QPointF(max(0.0, left), max(0.0, top)), label.size())
 
 
 def paint_tag(
-    painter: QPainter, at: QPointF, text: str, color: str, palette: ScenePalette
-) -> QRectF:
-    """Paint a short text on a plate beside a place, and return the plate."""
+    painter: QPainter,
+    at: QPointF,
+    text: str,
+    projection: Projection,
+    *,
+    color: str,
+    palette: ScenePalette,
+) -> None:
+    """Paint a short text on a plate beside a place of the picture."""
     metrics = QFontMetricsF(painter.font())
     width = max(metrics.height(), metrics.horizontalAdvance(text) + 8.0)
-    plate = QRectF(at.x(), at.y(), width, metrics.height())
+    plate = _moved_inside(QRectF(at.x(), at.y(), width, metrics.height()), projection)
     ground = QColor(palette.plate)
     ground.setAlphaF(0.88)
     painter.setPen(QPen(QColor(color), 1.0))
@@ -226,4 +251,3 @@ def paint_tag(
     painter.drawRoundedRect(plate, 3.0, 3.0)
     painter.setPen(QColor(color))
     painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
-    return plate

@@ -55,6 +55,35 @@ def test_a_kept_line_looks_like_one_that_is_painted(ratio):
     assert np.ptp(plain, axis=(0, 1)).max() > 100
 
 
+@pytest.mark.parametrize("toward", [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1)], ids=str)
+def test_the_edge_of_the_picture_cuts_no_label(toward):
+    """The picture is painted on a larger ground, where one sees what goes beyond it."""
+    projection = Projection(HOME_CAMERA, *SIZE)
+    _, right, up = (np.array(axis) for axis in HOME_CAMERA.axes())
+    focus_m, scale_px = np.array(HOME_CAMERA.focus_m), projection.scale_px(0.0)
+    half_px = np.array(SIZE) / 2.0 - 4.0
+    along_px = np.array(toward) * half_px
+    end_m = focus_m + (right * along_px[0] + up * along_px[1]) / scale_px
+    beyond_m = focus_m + (end_m - focus_m) * 1.2
+
+    def shown(end_m, label):
+        line = Stroke((tuple(focus_m), tuple(end_m)), "#2f6fde", 1.0, label=label)
+
+        def paint(on):
+            on.scale(0.5, 0.5)
+            on.translate(SIZE[0] / 2.0, SIZE[1] / 2.0)
+            StrokePainter().paint(on, [line], projection, LIGHT)
+
+        return painted(paint).astype(int)
+
+    written = np.abs(shown(end_m, "TCP") - shown(end_m, "")).max(axis=2) > 8
+    assert written.any()
+    rows, columns = np.nonzero(written)
+    assert SIZE[1] / 4 <= rows.min() <= rows.max() <= 3 * SIZE[1] / 4
+    assert SIZE[0] / 4 <= columns.min() <= columns.max() <= 3 * SIZE[0] / 4
+    assert (shown(beyond_m, "TCP") == shown(beyond_m, "")).all()
+
+
 def test_it_is_asked_for_again_where_something_has_changed_and_only_there():
     strokes, layer = Counted(), StrokeLayer(StrokePainter())
     seen = Projection(HOME_CAMERA, *SIZE)
