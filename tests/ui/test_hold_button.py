@@ -1,4 +1,4 @@
-"""A button that wants to be held: what fills its ring, and what begins anew."""
+"""A button that wants to be held: what fills its line, and what begins anew."""
 
 from typing import Any
 
@@ -138,7 +138,7 @@ def test_hidden_it_does_not_act(button):
     assert button.count == 0
 
 
-def test_the_ring_shows_how_far(button):
+def test_the_line_shows_how_far(button):
     empty = button.grab().toImage()
     QTest.mousePress(button, LEFT)
     wait(button, HOLD_MS // 2)

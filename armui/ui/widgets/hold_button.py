@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QSize, QVariantAnimation, Signal
-from PySide6.QtGui import QColor, QPaintEvent, QPen
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, QVariantAnimation, Signal
+from PySide6.QtGui import QColor, QPaintEvent
 from PySide6.QtWidgets import QPushButton, QToolTip
 
 from armui.control.operations.started import ARM_CHANGED
@@ -22,14 +22,13 @@ HOLD_MS: Final = 1000
 """The time of holding: long enough to be intended, short enough to wait for."""
 
 _HINT_MS: Final = 4000
-_RING_PX: Final = 16.0
-_GAP_PX: Final = 8
-_FULL_TURN: Final = 360 * 16
-_TOP: Final = 90 * 16
+_SIDE_PX: Final = 8.0
+_BELOW_PX: Final = 5.0
+_LINE_PX: Final = 2.0
 
 
 class HoldButton(Translated, QPushButton):
-    """A button that acts when held by mouse or space bar for a second; a ring shows the progress.
+    """A button that acts when held by mouse or space bar for a second; a line shows the progress.
 
     Releasing it, leaving it, or its loss of the focus, disabling and hiding all cancel the hold. A
     mere click only shows a line at the button that it must be held; its tooltip says so, too. It
@@ -119,20 +118,16 @@ class HoldButton(Translated, QPushButton):
         self.progress.setCurrentTime(0)
         self.update()
 
-    def sizeHint(self) -> QSize:
-        """Return a size with room for the ring beside the text."""
-        size = super().sizeHint()
-        return QSize(size.width() + int(_RING_PX) + 2 * _GAP_PX, size.height())
-
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the ring with the progress."""
+        """Draw the line along the lower edge, and how far it is filled."""
         super().paintEvent(event)
         colors = colors_of(self)
-        box = QRectF(_GAP_PX + 2, (self.height() - _RING_PX) / 2, _RING_PX, _RING_PX)
+        line = QRectF(self.rect()).adjusted(_SIDE_PX, self.height() - _BELOW_PX, -_SIDE_PX, 0)
+        line.setHeight(_LINE_PX)
         painter = painting.begin(self)
-        painter.setPen(QPen(QColor(colors.faint), 2.4))
-        painter.drawEllipse(box)
-        if self.share > 0:
-            painter.setPen(QPen(QColor(colors.warn), 3.0))
-            painter.drawArc(box, _TOP, -round(self.share * _FULL_TURN))
+        painter.setPen(Qt.PenStyle.NoPen)
+        for share, color in ((1.0, colors.faint), (self.share, colors.warn)):
+            painter.setBrush(QColor(color))
+            line.setWidth(share * (self.width() - 2 * _SIDE_PX))
+            painter.drawRect(line)
         painter.end()
