@@ -16,7 +16,8 @@ class Flow(QLayout):
     """Lays its widgets out from left to right, in lines like text.
 
     A widget with an expanding size policy takes the rest of its line; one added by :meth:`push` is
-    at the right end of it.
+    at the right end of it. What is lower than its line stands in the
+    middle of it, or at the top by its alignment.
 
     Args:
         owner: The widget whose layout it becomes.
@@ -143,9 +144,9 @@ class Flow(QLayout):
                 width += left // len(growing)
             elif item is pushed and not growing:
                 x += left
-            item.setGeometry(
-                QRect(x, room.y() + (room.height() - hint.height()) // 2, width, hint.height())
-            )
+            top = bool(item.alignment() & Qt.AlignmentFlag.AlignTop)
+            below = 0 if top else (room.height() - hint.height()) // 2
+            item.setGeometry(QRect(x, room.y() + below, width, hint.height()))
             x += width + self.spacing()
 
 

@@ -93,3 +93,17 @@ def test_it_has_a_low_head_and_eight_rows(pages, page, content, language):
     last = rows.indexAt(QPoint(5, 8 * 24 - 1)).row()
     first = rows.indexAt(QPoint(5, 0)).row()
     assert page == "plots" or last - first >= 7
+
+
+def test_the_list_of_logs_has_most_of_what_the_cards_above_it_leave(pages):
+    pages.driver.ready()
+    pages.driver.window.resize(1280, 800)
+    pages.driver.click("sessions_button")
+    pages.driver.run(0.2)
+    drawer = pages.driver.find("drawer")
+    rows = drawer.findChild(QAbstractItemView, "sessions_table")
+    assert rows.viewport().height() >= 4.5 * 24
+    record, save = (
+        rect_in_window(pages.driver.find(name)).top() for name in ("session_record", "ring_save")
+    )
+    assert abs(record - save) <= 3

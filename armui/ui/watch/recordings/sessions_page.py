@@ -20,7 +20,14 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QLabel, QTableView
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QLabel,
+    QSizePolicy,
+    QTableView,
+    QWidget,
+)
 
 from armui.arm.refusal import Reason, Refusal
 from armui.control.events import Event, Level
@@ -45,7 +52,7 @@ from armui.ui.watch.recordings.recording_card import (
 )
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
-from armui.ui.widgets.layouts import STRETCH, fill
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
@@ -256,11 +263,11 @@ _GAP_PX: Final = 6
 _LOOK_MS: Final = 500
 _WIDTHS_PX: Final = {
     SessionColumn.BEGUN: 160,
-    SessionColumn.LENGTH: 80,
+    SessionColumn.LENGTH: 75,
     SessionColumn.SIZE: 90,
-    SessionColumn.FAULTS: 70,
-    SessionColumn.STOPS: 70,
-    SessionColumn.KIND: 165,
+    SessionColumn.FAULTS: 65,
+    SessionColumn.STOPS: 65,
+    SessionColumn.KIND: 150,
     SessionColumn.STATE: 130,
 }
 _SAID_HERE: Final = frozenset(
@@ -365,10 +372,17 @@ class SessionsPage(Page):
     def _lay_out(self) -> None:
         self.body.setSpacing(_GAP_PX)
         self.table.setMinimumHeight(_LEAST_PX)
-        cards = in_flow(self.recording, self.ring, spacing_px=_GAP_PX)
-        fill(self.body, cards, (self.table, 1), self._hint, self._message)
+        beside = QWidget()
+        beside.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        others = in_row(STRETCH, self.other_button, self.folder_button, spacing=_GAP_PX)
+        in_column(self.ring, others, on=beside, spacing=_GAP_PX, margins=0)
+        cards = in_flow(self.recording, beside, spacing_px=_GAP_PX)
+        for card in (self.recording, beside):
+            cards.setAlignment(card, Qt.AlignmentFlag.AlignTop)
+        # beside the list, which has little height in the drawer
         of_chosen = (self.open_button, self.export_button, self.rename_button, self.delete_button)
-        fill(self.footer, *of_chosen, STRETCH, self.other_button, self.folder_button)
+        listed = in_row((self.table, 1), in_column(*of_chosen, STRETCH, spacing=0))
+        fill(self.body, cards, (listed, 1), self._hint, self._message)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
