@@ -142,7 +142,7 @@ def test_way_points_become_points(tmp_path, text):
     assert [list(point.target) for point in read.points] == [A_DEG, B_DEG]
     assert {point.move for point in read.points} == {MoveMode.MOVE_J}
     assert [point.note for point in read.points] == ["wp 0", "wp 1"]
-    assert {(point.dwell_s, point.speed_percent) for point in read.points} == {(1.5, 30)}
+    assert {(point.dwell_s, point.speed_percent) for point in read.points} == {(1.5, 100)}
     opening = read.points[0].gripper
     assert isinstance(opening, GripperOpening)
     assert opening.opening_mm == pytest.approx(40.0)

@@ -27,8 +27,8 @@ FILE_NOT_ENCODING = Reason(
 )
 
 
-SPEED_PERCENT: Final = 30
-"""The speed of points that tell none."""
+SPEED_PERCENT: Final = 100
+"""The speed of points that tell none, as of those made here: the operator's speed is the slider."""
 _LOOKED_AT_BYTES: Final = 4096
 _MANY: Final = 0.3
 """The part of the bytes at even or odd places that is zero in figures written in UTF-16."""
