@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>{model}, as chosen; other models fit its pose as well</source>
-        <translation>{model}（操作者选择；其它型号也符合当前位姿）</translation>
+        <translation>{model}（操作者选择；其他型号也符合当前位姿）</translation>
     </message>
     <message>
         <source>{model}, as chosen; its pose is that of a {other}</source>
@@ -3040,7 +3040,7 @@
     </message>
     <message>
         <source>The arm is heard. Press to disconnect or choose another.</source>
-        <translation>正在接收机械臂的反馈。点击可断开或选择其它设备。</translation>
+        <translation>正在接收机械臂的反馈。点击可断开或选择其他设备。</translation>
     </message>
     <message>
         <source>The CAN device is gone. Plug it in again: it is reconnected by itself.</source>
@@ -4678,7 +4678,7 @@
     <name>FaultsDialog</name>
     <message>
         <source>Simulated faults</source>
-        <translation>模拟故障</translation>
+        <translation>仿真故障</translation>
     </message>
     <message>
         <source>At joint</source>
@@ -4946,7 +4946,7 @@
     </message>
     <message>
         <source>Joint {joint} would have to turn at {value}°/s; its limit is {maximum}°/s. The replay goes at {percent} % at most.</source>
-        <translation>关节 {joint} 需以 {value}°/s 转动，其上限为 {maximum}°/s。重放速度最高 {percent} %。</translation>
+        <translation>关节 {joint} 需以 {value}°/s 转动，其上限为 {maximum}°/s。回放速度最高 {percent} %。</translation>
     </message>
     <message>
         <source>After {gone} % of the way the tool would be out of reach. Put another point between, or use MOVE J.</source>
@@ -5142,7 +5142,7 @@
     <name>FolderBar</name>
     <message>
         <source>The folder “{name}” is gone: it was renamed, moved or deleted elsewhere. All trajectories are listed.</source>
-        <translation>文件夹“{name}”已不在：它在别处被重命名、移动或删除。现在显示全部轨迹。</translation>
+        <translation>文件夹“{name}”已不在：它在别处被改名、移动或删除。现在显示全部轨迹。</translation>
     </message>
     <message>
         <source>Choose a trajectory in the list first</source>
@@ -5166,7 +5166,7 @@
     </message>
     <message>
         <source>Rename</source>
-        <translation>重命名</translation>
+        <translation>改名</translation>
     </message>
     <message>
         <source>Name of the folder</source>
@@ -5186,7 +5186,7 @@
     </message>
     <message>
         <source>New folder; rename or delete the one that is listed</source>
-        <translation>新建文件夹；重命名或删除当前显示的文件夹</translation>
+        <translation>新建文件夹；改名或删除当前显示的文件夹</translation>
     </message>
     <message>
         <source>Move to…</source>
@@ -5198,7 +5198,7 @@
     </message>
     <message>
         <source>Rename the folder…</source>
-        <translation>重命名文件夹…</translation>
+        <translation>改名文件夹…</translation>
     </message>
     <message>
         <source>Delete the folder</source>
@@ -5954,11 +5954,11 @@ Z 轴指向 {direction}</translation>
     </message>
     <message>
         <source>Highest speed</source>
-        <translation>最高速度</translation>
+        <translation>最大速度</translation>
     </message>
     <message>
         <source>It asks for at most {percent} %. The speed at the top slows it at once.</source>
-        <translation>它申请的最高速度为 {percent} %。顶部的速度可随时使它减速。</translation>
+        <translation>它申请的最大速度为 {percent} %。顶部的速度可随时使它减速。</translation>
     </message>
     <message>
         <source>Once</source>
@@ -7499,7 +7499,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>Undo renaming to “{names}”</source>
-        <translation>撤销重命名为“{names}”</translation>
+        <translation>撤销改名为“{names}”</translation>
     </message>
     <message>
         <source>It is called “{names}” again.</source>
@@ -7554,7 +7554,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>Rename</source>
-        <translation>重命名</translation>
+        <translation>改名</translation>
     </message>
     <message>
         <source>Export files</source>
@@ -8177,7 +8177,7 @@ Lamps give no feedback: this is only what will be sent.</source>
     </message>
     <message>
         <source>Fits the pose the arm reports; so do others. Move a joint to decide.</source>
-        <translation>符合机械臂反馈的位姿，但其它型号也符合。移动一个关节即可判定。</translation>
+        <translation>符合机械臂反馈的位姿，但其他型号也符合。移动一个关节即可判定。</translation>
     </message>
     <message>
         <source>Not checked yet: the arm must stand still.</source>
@@ -9378,7 +9378,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Reference check finished: all joints stand where they report.</source>
-        <translation>零位基准检查完成：所有关节都在上报的位置。</translation>
+        <translation>零位基准检查完成：全部关节都在上报的位置。</translation>
     </message>
     <message>
         <source>Reference pose kept for this arm</source>
@@ -11225,7 +11225,7 @@ pose</source>
 <context>
     <name>RecoveryAction</name>
     <message>
-        <source>Connection…</source>
+        <source>Connect…</source>
         <translation>连接…</translation>
     </message>
     <message>
@@ -11469,7 +11469,7 @@ The other program must have ended.</source>
         <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
     </message>
     <message>
-        <source>Joint {joints} has stalled. Free it, then clear the error.</source>
+        <source>Stalled: joint {joints}. Free it, then clear the error.</source>
         <translation>关节 {joints} 堵转。请解除卡阻，然后清除错误。</translation>
     </message>
     <message>
@@ -11549,7 +11549,7 @@ The other program must have ended.</source>
         <translation>拖动示教时超速。请扶住机械臂，然后复位。</translation>
     </message>
     <message>
-        <source>The motors of joint {joints} are off. Hold the arm, then enable them.</source>
+        <source>Without power: joint {joints}. Hold the arm, then enable the motors.</source>
         <translation>关节 {joints} 的电机未使能。请扶住机械臂，然后使能。</translation>
     </message>
     <message>
@@ -11634,15 +11634,15 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The last target is beyond a limit and was not taken. Send another one.</source>
-        <translation>上一个目标超出限位，未被执行。请发送其它目标。</translation>
+        <translation>上一个目标超出限位，未被执行。请发送其他目标。</translation>
     </message>
     <message>
         <source>The last target has no solution and was not taken. Send another one.</source>
-        <translation>上一个目标无解，未被执行。请发送其它目标。</translation>
+        <translation>上一个目标无解，未被执行。请发送其他目标。</translation>
     </message>
     <message>
         <source>The way to the last target is singular, and it was not taken. Send another target, or by joints.</source>
-        <translation>到上一个目标的路径经过奇异点，目标未被执行。请发送其它目标，或按关节发送。</translation>
+        <translation>到上一个目标的路径经过奇异点，目标未被执行。请发送其他目标，或按关节发送。</translation>
     </message>
     <message>
         <source>Waiting: press “Next step”</source>
@@ -11705,7 +11705,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>last checked {time}: all joints fit</source>
-        <translation>上次检查 {time}：所有关节相符</translation>
+        <translation>上次检查 {time}：全部关节相符</translation>
     </message>
     <message>
         <source>; </source>
@@ -11816,7 +11816,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>All joints are answered for, and some are off. Finish the check: they stay in doubt, and what can be done is shown then.</source>
-        <translation>所有关节均已回答，其中有偏差。请完成检查：有偏差的关节仍然存疑，随后显示可采取的措施。</translation>
+        <translation>全部关节均已回答，其中有偏差。请完成检查：有偏差的关节仍然存疑，随后显示可采取的措施。</translation>
     </message>
     <message>
         <source>Begin the check</source>
@@ -11912,7 +11912,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>All joints stand where they report. Finish the check to keep that.</source>
-        <translation>所有关节都在上报的位置。完成检查即可保存结果。</translation>
+        <translation>全部关节都在上报的位置。完成检查即可保存结果。</translation>
     </message>
     <message>
         <source>Move anyway</source>
@@ -12167,7 +12167,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>{device} is in use by another program. Close that program, then connect again.</source>
-        <translation>设备 {device} 正被其它程序占用。请关闭该程序后重新连接。</translation>
+        <translation>设备 {device} 正被其他程序占用。请关闭该程序后重新连接。</translation>
     </message>
     <message>
         <source>{device} is switched off in the system. Switch it on in a terminal (with your interface&apos;s name for can0): sudo ip link set can0 up type can bitrate 1000000</source>
@@ -12319,7 +12319,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>At the recorded pace joint {joint} would turn at {value}°/s; its limit is {maximum}°/s. This replay goes at {percent} % at most.</source>
-        <translation>按录制速度，关节 {joint} 会以 {value}°/s 转动，其上限为 {maximum}°/s。本次重放最高 {percent} %。</translation>
+        <translation>按录制速度，关节 {joint} 会以 {value}°/s 转动，其上限为 {maximum}°/s。本次回放最高 {percent} %。</translation>
     </message>
     <message>
         <source>Nothing was sent: a second after the press the arm did not rest yet, or its way was still being checked. Press again.</source>
@@ -12559,7 +12559,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The folder “{name}” is not in the library any more. It was renamed, moved or deleted elsewhere.</source>
-        <translation>文件夹“{name}”已不在轨迹库中。它在别处被重命名、移动或删除。</translation>
+        <translation>文件夹“{name}”已不在轨迹库中。它在别处被改名、移动或删除。</translation>
     </message>
     <message>
         <source>The folder “{name}” is not empty and is kept: {held}. Move or delete what is in it first.</source>
@@ -12615,7 +12615,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Robot description: the file {path} is not there. Choose another file, or use the built-in one.</source>
-        <translation>机器人模型：找不到文件 {path}。请选择其它文件，或使用内置模型。</translation>
+        <translation>机器人模型：找不到文件 {path}。请选择其他文件，或使用内置模型。</translation>
     </message>
     <message>
         <source>Robot description: the file {path} cannot be read: {text}. Choose a file you may read.</source>
@@ -13615,7 +13615,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
-        <translation>机械臂要重放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
+        <translation>机械臂要回放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
     </message>
     <message>
         <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
@@ -14295,7 +14295,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Rename</source>
-        <translation>重命名</translation>
+        <translation>改名</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -14501,7 +14501,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Simulated faults…</source>
-        <translation>模拟故障…</translation>
+        <translation>仿真故障…</translation>
     </message>
     <message>
         <source>On: for your scripts</source>
@@ -15095,7 +15095,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>All joints</source>
-        <translation>所有关节</translation>
+        <translation>全部关节</translation>
     </message>
     <message>
         <source>All lamps</source>
@@ -15681,11 +15681,11 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Speed at most, for a motion of the present mode</source>
-        <translation>当前运动模式下的最高速度</translation>
+        <translation>当前运动模式下的最大速度</translation>
     </message>
     <message>
         <source>The speed of everything, 0–100 %: of the arm&apos;s highest, and in a run of each point&apos;s or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion measured to be more than 1.5 times as fast as it was told is ended.</source>
-        <translation>所有运动的速度，0–100 %：相对机械臂最高速度；运行时相对各点或录制的速度。0 % 使运行暂停。降速 {slower}，提速 {faster}。测得速度超过指令的 1.5 倍时，终止该运动。</translation>
+        <translation>所有运动的速度，0–100 %：相对机械臂最大速度；运行时相对各点或录制的速度。0 % 使运行暂停。降速 {slower}，提速 {faster}。测得速度超过指令的 1.5 倍时，终止该运动。</translation>
     </message>
     <message>
         <source>Speed percentage</source>

@@ -20,7 +20,7 @@ from armui.ui.trajectory.table_import.columns_page import ColumnsPage
 from tests.app_driver import AppDriver
 
 PRESSES = 3
-"""Connection…, Connect, Enable. No motion is recommended: the operator chooses what comes next."""
+"""Connect…, Connect, Enable. No motion is recommended: the operator chooses what comes next."""
 
 MOST_PRESSES_TO_RUN = 9
 """From the first start to a run of an imported table; the file's choice is not counted."""

@@ -152,7 +152,7 @@ def test_an_arm_that_falls_silent(ready):
         ready,
         "Check its power, the CAN cable and the bit rate, or whether this computer is too busy",
     )
-    press(ready, "Connection…")
+    press(ready, "Connect…")
     ready.dialog(ConnectDialog).close()
     ready.powered = True
     reads(ready, "Ready")

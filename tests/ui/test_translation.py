@@ -119,6 +119,32 @@ def test_translations_keep_the_figures_of_their_source(
         assert sorted(figures.findall(translation.text or "")) == of_source, entry
 
 
+ONE_WORD = {
+    "重命名": "改名",
+    "重放": "回放",
+    "所有关节": "全部关节",
+    "模拟故障": "仿真故障",
+    "最高速度": "最大速度",
+}
+"""Other words for the same, and the one that is used."""
+OF_A_COMMAND = re.compile(r"pip install '[^']+'|(?: [^\w\s])+ ")
+"""What is typed, and the signs that a name must not have."""
+
+
+def test_chinese_has_one_word_for_a_thing_and_one_kind_of_quotes(
+    committed: dict[Entry, ET.Element],
+) -> None:
+    for entry, translation in committed.items():
+        text = translation.text or ""
+        assert not [word for word in ONE_WORD if word in text], entry
+        assert "其它" not in text.replace("其它异常", ""), entry  # the protocol's own word
+        plain = OF_A_COMMAND.sub("", text)
+        assert not set("\"'「」『』") & set(plain) or not re.search("[一-鿿]", plain), (
+            entry,
+            plain,
+        )
+
+
 def test_source_strings_are_english(committed: dict[Entry, ET.Element]) -> None:
     for entry in committed:
         assert not re.search(r"[\u4e00-\u9fff]", entry.source), entry

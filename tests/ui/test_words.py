@@ -19,7 +19,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.bus.adapters import BUS_BACKEND_MISSING, BUS_DOWN
 from armui.control.context import REFUSED
 from armui.control.devices.motors import DISABLE_SENT, RESUME_SENT
-from armui.control.events import Event, Notice
+from armui.control.events import Event, Level, Notice
 from armui.control.link.connection import DISCONNECTED, LINK_LOST_NOTICE
 from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.motion.joint_motion import SENT_JOINTS
@@ -27,6 +27,7 @@ from armui.control.operating_state import BUSY
 from armui.control.parameters.arm_settings import SETTINGS_SAVED
 from armui.control.requests.reports import GENERATION
 from armui.control.safety.interlocks import ARM_FAULT, JOINTS_UNKNOWN, NOT_ENABLED, OTHER_CONTROL
+from armui.control.safety.recovery_steps import Step, StepKind
 from armui.control.safety.stopping import STOP_NOT_SENT, STOP_SENT, STOP_UNCONFIRMED
 from armui.protocol.codes import MoveMode
 from armui.setting_fields import check
@@ -367,6 +368,12 @@ def test_a_list_is_parted_as_the_language_does_it(chinese: None) -> None:
     assert sentence("Nowhere", "{it}", {"it": "1, 2, 6"}) == "1、2、6"
     # a name is left as somebody wrote it
     assert sentence("Nowhere", "{it}", {"it": "pick, place"}) == "pick, place"
+
+
+def test_several_joints_are_joints(qapp: QApplication) -> None:
+    off = Step(StepKind.MOTORS_MIXED, Level.WARNING, joints=(1, 3, 4))
+    for joints, told in (("3", "Without power: joint 3."), ("1, 3, 4", "power: joints 1, 3, 4.")):
+        assert told in words.step(replace(off, params={"joints": joints}))
 
 
 def test_saved_settings_are_named() -> None:

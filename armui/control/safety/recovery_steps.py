@@ -35,7 +35,7 @@ class ActionText(Sentence):
 class Action(enum.Enum):
     """The actions of a step's button, with their texts."""
 
-    CONNECT = ActionText("connect", "Connection…")
+    CONNECT = ActionText("connect", "Connect…")
     LEAVE_TEACHING_INPUT = ActionText("leave_teaching_input", "Motion output")
     RESUME = ActionText(
         "resume",
@@ -212,7 +212,7 @@ class StepKind(enum.Enum):
         "Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, "
         "clear the error.",
     )
-    STALL = StepText("stall", "Joint {joints} has stalled. Free it, then clear the error.")
+    STALL = StepText("stall", "Stalled: joint {joints}. Free it, then clear the error.")
     SENSOR = StepText(
         "sensor",
         "Sensor fault, joint {joints}. Clear the error; if it comes back, check the joint's "
@@ -325,7 +325,7 @@ class StepKind(enum.Enum):
         "overspeed_reported", "The arm was dragged too fast. Hold it, then reset it."
     )
     MOTORS_MIXED = StepText(
-        "motors_mixed", "The motors of joint {joints} are off. Hold the arm, then enable them."
+        "motors_mixed", "Without power: joint {joints}. Hold the arm, then enable the motors."
     )
     WRONG_MODEL = StepText("wrong_model", "{reason}")
     NO_MOTION = StepText("no_motion", "{reason}")

@@ -1,4 +1,4 @@
-"""The window 模拟故障: breaks the simulated arm of this program, and mends it."""
+"""The window 仿真故障: breaks the simulated arm of this program, and mends it."""
 
 from __future__ import annotations
 

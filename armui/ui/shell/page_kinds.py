@@ -143,7 +143,7 @@ def interface_dialog() -> type[InterfaceDialog]:
 
 
 def faults_dialog() -> type[FaultsDialog]:
-    """Return the class of the window 模拟故障: what breaks the simulated arm."""
+    """Return the class of the window 仿真故障: what breaks the simulated arm."""
     from armui.ui.dialogs.simulated_faults import FaultsDialog  # noqa: PLC0415 - for its window
 
     return FaultsDialog

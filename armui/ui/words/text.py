@@ -72,7 +72,10 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     floats = {key: value for key, value in params.items() if isinstance(value, float)}
     spoken = dict(zip(floats, fmt.spoken([*floats.values()]), strict=True))
     figures = _Figures({key: _figure(key, value) for key, value in {**params, **spoken}.items()})
-    return QCoreApplication.translate(context, str(source)).format_map(figures)
+    text = QCoreApplication.translate(context, str(source))
+    if _LIST.fullmatch(str(params.get("joints", ""))):
+        text = text.replace("oint {joints}", "oints {joints}")  # in English alone
+    return text.format_map(figures)
 
 
 def source_of(what: Sentence) -> str:
