@@ -2973,6 +2973,10 @@
 <context>
     <name>CommandPalette</name>
     <message>
+        <source>It moves the arm: choose it by the arrow keys, or type its name.</source>
+        <translation>会使机械臂运动：请用方向键选择，或输入完整名称。</translation>
+    </message>
+    <message>
         <source>No command has that name. Search in Chinese, English, pinyin or initials.</source>
         <translation>没有这样的名称。可按中文、英文、拼音或拼音首字母查找。</translation>
     </message>

@@ -127,8 +127,38 @@ def test_of_what_matches_alike_what_can_be_done_comes_first(app_driver):
     app_driver.controller.motors.enable()
     app_driver.run_until(lambda: app_driver.controller.operating_state.cannot_move is None)
     app_driver.wait(lambda: not rows(palette)[1].reason)  # no row has left its place meanwhile
-    palette.search.setText("zero ")
-    assert rows(palette)[0].title == "Home"
+
+
+@pytest.mark.parametrize("language", ["en", "zh"])
+def test_enter_moves_no_arm_by_a_word_that_is_not_its_name(app_driver, language):
+    app_driver.ready()
+    app_driver.click("menu_motion")
+    app_driver.store.change(language=language)
+    palette = open_palette(app_driver)
+    moving = [each for each in palette_items(app_driver) if each.moves]
+    assert {"motion.home", "motion.send"} <= {each.command.name for each in moving}
+    asked = {word for each in moving for word in each.command.synonyms} - {"home"}
+    for word in ("zero", "零", "h", "回", *sorted(asked)):
+        palette.search.setText(word)
+        chosen = palette._chosen()
+        assert chosen is None or not chosen.moves, word
+    app_driver.heard()
+    palette.search.setText("归零")  # another word for it: it is found, and left to be chosen
+    home = {"en": "Home", "zh": "回零"}[language]
+    assert [each.title for each in rows(palette)] == [home]
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert palette.isVisible()
+    assert palette.findChild(object, "palette_message").text()
+    app_driver.run(0.3)
+    assert not app_driver.controller.operating_state.moving
+    for word in (home, home.lower(), "huiling", "home"):
+        palette.search.setText(word)
+        assert palette._chosen().title == home
+    palette.search.setText("归零")
+    QTest.keyClick(palette.search, Qt.Key.Key_Down)
+    assert palette._chosen().title == home
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert not palette.isVisible()
 
 
 def test_the_picture_is_found_as_a_screenshot(app_driver):

@@ -29,7 +29,7 @@ from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.ui.actions.names import Names, read_names
 from armui.ui.actions.palette_items import PaletteItem, PaletteItems, nothing_to_do
-from armui.ui.actions.search import SearchText, rank
+from armui.ui.actions.search import SearchText, is_named, rank
 from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of, scaled_font
@@ -72,9 +72,9 @@ class PaletteModel(QAbstractListModel):
         return self._items[row] if 0 <= row < len(self._items) else None
 
     def row_of(self, name: str) -> int:
-        """Return the row of a command by its name; 0 if it is not listed."""
+        """Return the row of a command by its name; -1 if it is not listed."""
         rows = (row for row, each in enumerate(self._items) if each.command.name == name)
-        return next(rows, 0)
+        return next(rows, -1)
 
     def rowCount(self, parent: Index | None = None) -> int:  # noqa: N802 - the name Qt calls
         """Return the number of items."""
@@ -148,6 +148,9 @@ class PaletteDelegate(QStyledItemDelegate):
 class CommandPalette(ArmDialog):
     """A search field above a list; Enter carries out the chosen command by its own button.
 
+    What moves the arm is not chosen by the search alone, unless its name is typed (S14): a synonym
+    may mean something else to the operator.
+
     It is a window beside the others, and intercepts none of their keys and presses: stop and halt
     work as everywhere, and it has them as well.
 
@@ -171,6 +174,7 @@ class CommandPalette(ArmDialog):
         self._names = Names()
         self._hindered: set[str] = set()
         self._items: list[tuple[PaletteItem, SearchText]] = []
+        self._unnamed: set[str] = set()
         self.search = named("palette_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
         self.search.installEventFilter(self)
@@ -231,11 +235,20 @@ class CommandPalette(ArmDialog):
         told = self._message.isVisible() and before is not None
         if not keep:  # rows that changed places while one is read would be pressed for each other
             self._hindered = {item.command.name for item, _ in self._items if item.reason}
+        self._unnamed = {
+            item.command.name
+            for item, _ in self._items
+            if item.moves
+            and not is_named(query, self._names.search_text((item.title,), item.place))
+        }
         ranked = [(rank(query, text), place) for place, (_, text) in enumerate(self._items)]
         found = [(self._order(how, place), place) for how, place in ranked if how is not None]
         found.sort()
         self._model.show_items([self._items[place][0] for _, place in found])
-        row = 0 if before is None else self._model.row_of(before.command.name)
+        row = -1 if before is None else self._model.row_of(before.command.name)
+        first = self._model.item(0)
+        if row < 0 and first is not None and first.command.name not in self._unnamed:
+            row = 0
         self.list.setCurrentIndex(self._model.index(row, 0))
         chosen = self._chosen()
         if chosen is None:
@@ -248,20 +261,25 @@ class CommandPalette(ArmDialog):
     def _order(self, how: tuple[int, ...], place: int) -> tuple[object, ...]:
         """Return what an item is sorted by: of those that match alike what can be done is first.
 
-        Dangerous commands sort last: Enter must not choose one while anything else matches.
+        Dangerous commands sort last, and before them what moves the arm and was not named: Enter
+        must not choose one while anything else matches.
         """
         command = self._items[place][0].command
         if not self.search.text().strip():
             return (place,)
         *match, length = how
-        return command.dangerous, match, command.name in self._hindered, length
+        last = command.dangerous, command.name in self._unnamed
+        return *last, match, command.name in self._hindered, length
 
     def _chosen(self) -> PaletteItem | None:
         return self._model.item(self.list.currentIndex().row())
 
     def _show_reason(self, item: PaletteItem | None) -> None:
-        """Say why what is wanted cannot be done, or that nothing was found."""
-        if item is None:
+        """Say why what is wanted cannot be done, or that nothing was found or chosen."""
+        if item is None and self._model.rowCount():
+            text = self.tr("It moves the arm: choose it by the arrow keys, or type its name.")
+            self._message.show_message(text)
+        elif item is None:
             text = self.tr(
                 "No command has that name. Search in Chinese, English, pinyin or initials."
             )

@@ -52,6 +52,13 @@ class PaletteItem:
         """True if its page has to be opened before more is known of it."""
         return not self.seen and self.source.show is not None and not self.source.asks_first
 
+    @property
+    def moves(self) -> bool:
+        """True if the arm moves as soon as it is carried out."""
+        command = self.command
+        at_once = not command.only_led_to and (self.seen or not command.shown_first)
+        return at_once and command.operation is not None and command.operation.moves
+
 
 class PaletteItems:
     """Collects the present commands of every part of the window.

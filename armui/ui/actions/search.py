@@ -58,6 +58,16 @@ def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
     return (max(ranks, default=0), sum(ranks), shortest) if ranks else (0, 0, 0)
 
 
+def is_named(query: str, text: SearchText) -> bool:
+    """Return whether a query is a name of the command, alone or with words of its place's name."""
+    words = query.lower().split()
+    names = {name.partition(":")[0] for name in text.names} | {*map("".join, text.pinyin)}
+    place = {word for name in text.more for word in (name, *name.split())}
+    place |= {*map("".join, text.more_pinyin)}
+    own = [word for word in words if word not in place]
+    return not names.isdisjoint((" ".join(words), " ".join(own)))
+
+
 def _in_names(word: str, names: Sequence[str]) -> int:
     best = _NONE
     for name in names:
