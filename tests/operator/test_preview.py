@@ -236,7 +236,9 @@ def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
     app_driver.run_until(lambda: player.progress.phase in OVER)
     app_driver.run(0.1)
     assert at.shown.current_row is None
-    assert at.shown.ghost_deg is not None
+    assert at.shown.ghost_deg is None, "nobody has asked where the trajectory leads next"
+    QTest.keyClick(app_driver.find("preview_slider"), Qt.Key.Key_End)
+    assert at.shown.ghost_deg == pytest.approx(points[-1].target, abs=0.5)
 
 
 def test_a_run_of_another_trajectory_lights_nothing(at):

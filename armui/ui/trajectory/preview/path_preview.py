@@ -171,10 +171,9 @@ class PathPreview(QObject):
             self._set(replace(self._shown, ghost_deg=finding.joints_deg, finding=finding))
 
     def light_row(self, row: int | None) -> None:
-        """Highlight the point to which the arm moves; the ghost is hidden meanwhile."""
+        """Highlight the point to which the arm moves, without a ghost until a place is chosen."""
         if self._path is not None and row != self._shown.current_row:
-            ghost_deg = tuple(self._path.at(self._bar.time_s)) if row is None else None
-            self._set(replace(self._shown, current_row=row, ghost_deg=ghost_deg, finding=None))
+            self._set(replace(self._shown, current_row=row, ghost_deg=None, finding=None))
 
     def _on_time(self, time_s: float) -> None:
         if self._path is not None:
