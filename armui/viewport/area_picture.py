@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Final
+
+from armui.viewport.robot_shape import moved
+from armui.viewport.vectors import Vector
+
+_FURTHEST_M: Final = 1.2
+"""Of a large box that much of it is looked at, on each side of the base."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,3 +37,15 @@ class AreaShape:
 
 
 AreaPicture = tuple[AreaShape, ...]
+
+
+def corners(area: AreaPicture) -> Iterator[Vector]:
+    """Yield the corners of the boxes in the base, in metres; those far off are moved nearer."""
+    for shape in area:
+        if shape.size_mm is not None and not shape.held:
+            for x, y, z in itertools.product(*((-mm / 2e3, mm / 2e3) for mm in shape.size_mm)):
+                x, y, z = (  # noqa: PLW2901 - the corner in the base
+                    max(-_FURTHEST_M, min(each, _FURTHEST_M))
+                    for each in moved(shape.rows, (x, y, z))
+                )
+                yield x, y, z

@@ -22,6 +22,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from armui.arm.limits import JOINTS
+from armui.viewport.area_picture import corners
 from armui.viewport.camera import poses_equal
 from armui.viewport.camera_input import Drag, press_key, turn_wheel
 from armui.viewport.client import Picture, PictureClient
@@ -337,6 +338,8 @@ class ArmView(QWidget):
     def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
         """Show the planes and boxes of a work area, and stand the base so in the room."""
         self._viewpoint.set_placement(pose_rows(base))
+        if area != self._state.area:
+            self._viewpoint.set_boxes(tuple(corners(area)))
         camera = self._viewpoint.camera
         if (area, camera) != (self._state.area, self._state.camera):
             self._show(replace(self._state, area=area, camera=camera))
@@ -383,7 +386,7 @@ class ArmView(QWidget):
         self._take_camera()
 
     def fit(self) -> None:
-        """Show all of the arm, as large as the room allows."""
+        """Show all of the arm and of the boxes beside it, as large as the room allows."""
         self._viewpoint.fit()
         self._take_camera()
 

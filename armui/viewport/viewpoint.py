@@ -69,6 +69,8 @@ class Viewpoint:
         self._room = Room(1.0, 1.0)
         self._poses: list[tuple[tuple[float, ...], float]] = [((0.0,) * 6, 0.0)]
         self._places: tuple[Vector, ...] = ()
+        self._boxes: tuple[Vector, ...] = ()
+        self._with_boxes = False
         self._tool_m: Vector = (0.0, 0.0, 0.0)
         self._reach: Reach | None = None
         self._reached: tuple[Vector, ...] = ()
@@ -116,6 +118,12 @@ class Viewpoint:
             self._places = places
             self._refit(exactly=False)
 
+    def set_boxes(self, corners: tuple[Vector, ...]) -> None:
+        """Set the corners of the boxes of the work area, which :meth:`fit` shows as well."""
+        if corners != self._boxes:
+            self._boxes = corners
+            self._refit(exactly=True)
+
     def set_reach(self, reach: Reach | None) -> None:
         """Set the reach that shall be in the picture as well; None for none."""
         if reach != self._reach:
@@ -144,22 +152,22 @@ class Viewpoint:
             self.mode = ViewMode.FIT
         self._refit(exactly=True)
 
-    def fit(self) -> None:
-        """Show all of the arm from the present direction."""
-        self.mode = ViewMode.FIT
+    def fit(self, *, with_boxes: bool = True) -> None:
+        """Show all of the arm from the present direction, and the boxes of the work area."""
+        self.mode, self._with_boxes = ViewMode.FIT, with_boxes
         self._refit(exactly=True)
 
     def reset(self) -> None:
         """Go back to the first view."""
         kept = self.camera
         self.camera = replace(HOME_CAMERA, orthographic=kept.orthographic, placement=kept.placement)
-        self.fit()
+        self.fit(with_boxes=False)
 
     def follow(self, *, wanted: bool) -> None:
         """Keep the tool in the middle, or show all of the arm again."""
         if not wanted:
             if self.mode is ViewMode.FOLLOW:
-                self.fit()
+                self.fit(with_boxes=False)
             return
         self.mode = ViewMode.FOLLOW
         nearer_m = min(self.camera.distance_m, _FOLLOWED_AT_M)
@@ -237,7 +245,7 @@ class Viewpoint:
                 there = replace(ball, centre=moved(rows, ball.centre))
                 if not is_ball_clear(projection, there, self._room, _SLACK_PX):
                     doubtful.append([moved(rows, point) for point in points])
-        doubtful += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
+        doubtful += self._standing()
         return is_clear(self.camera, doubtful, self._room, _SLACK_PX)
 
     def _fitted(self, grown: float) -> OrbitCamera:
@@ -250,8 +258,12 @@ class Viewpoint:
         groups: list[Sequence[Vector]] = []
         for pose in self._poses:
             groups += shape.outline(shape.links(*pose))
-        groups += [(place,) for place in (*self._places, *self._reached, *_LETTERS)]
-        return groups
+        return groups + self._standing()
+
+    def _standing(self) -> list[Sequence[Vector]]:
+        """Return what is to be seen beside the arm and its ghost."""
+        boxes = self._boxes if self._with_boxes else ()
+        return [(place,) for place in (*self._places, *boxes, *self._reached, *_LETTERS)]
 
     def _reached_places(self) -> tuple[Vector, ...]:
         if self._shape is None or self._reach is None:

@@ -16568,10 +16568,6 @@ Before: {before}</source>
         <translation>适合窗口</translation>
     </message>
     <message>
-        <source>Shows all of the arm as large as the room allows</source>
-        <translation>在可用空间内尽量大地显示整个机械臂</translation>
-    </message>
-    <message>
         <source>Follow the tool</source>
         <translation>跟随末端</translation>
     </message>
@@ -16650,6 +16646,10 @@ Before: {before}</source>
     <message>
         <source>Looks at the arm from below the floor; turning the picture never goes there</source>
         <translation>从地面以下看机械臂；拖动旋转不会转到地面以下</translation>
+    </message>
+    <message>
+        <source>Shows all of the arm, and the boxes of the work area, as large as the room allows</source>
+        <translation>在空间允许的范围内尽量大地显示整个机械臂和工作区的盒子</translation>
     </message>
     <message>
         <source>Shows the user frames of the cell; the one in force has coloured axes</source>

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from armui.system.paths import URDF
+from armui.viewport.area_picture import AreaShape, corners
 from armui.viewport.camera import HOME_CAMERA, OrbitCamera, ViewDirection
 from armui.viewport.fitting import (
     MARGIN_PX,
@@ -161,6 +162,27 @@ def test_a_ghost_and_a_path_are_shown_with_the_arm(looking):
     assert pixel is not None
     assert 0.0 < pixel[0] < 840.0
     assert 0.0 < pixel[1] < 660.0
+
+
+def test_a_forbidden_box_is_shown_with_the_arm(looking):
+    rows = (1.0, 0.0, 0.0, -0.2, 0.0, 1.0, 0.0, 0.9, 0.0, 0.0, 1.0, 0.1)
+    held, plane = AreaShape(rows, (90.0,) * 3, held=True), AreaShape(rows)
+    assert list(corners((held, plane))) == []
+    box = AreaShape(rows, (200.0, 300.0, 200.0))
+    at_m = tuple(corners((box,)))
+    assert len(set(at_m)) == 8
+    assert (-0.1, 1.05, 0.2) in [tuple(round(each, 6) for each in place) for place in at_m]
+    before = looking.viewpoint.camera
+    looking.viewpoint.set_boxes(at_m)
+    assert looking.viewpoint.camera == before, "the arm stays large until it is asked for"
+    looking.viewpoint.fit()
+    assert is_clear(looking.viewpoint.camera, [[place] for place in at_m], looking.room, 1.5)
+    assert looking.sees(REST)
+    endless = tuple(corners((AreaShape(rows, (200.0, 20_000.0, 200.0)),)))
+    looking.viewpoint.set_boxes(endless)
+    assert looking.viewpoint.camera.distance_m < 4.0 * before.distance_m
+    looking.viewpoint.reset()
+    assert looking.viewpoint.camera == before
 
 
 def test_following_keeps_the_tool_in_the_middle(looking, shape):

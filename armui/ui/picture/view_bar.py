@@ -36,7 +36,7 @@ _TIPS: Final = Texts("ViewBar") | {
     "top": "Looks down on the arm",
     "iso": "Looks at the arm from the front right and above",
     "below": "Looks at the arm from below the floor; turning the picture never goes there",
-    "fit": "Shows all of the arm as large as the room allows",
+    "fit": "Shows all of the arm, and the boxes of the work area, as large as the room allows",
     "follow": "Keeps the tool centre point in the middle",
     "orthographic": "Parallel lines look parallel: lengths can be compared",
     "tool_frame": "Shows the axes of the tool centre point",
