@@ -77,6 +77,12 @@ def test_what_the_arm_did_is_kept_as_a_recording(operator):
     operator.app_driver.run(1.0)
     assert operator.text("record_state").startswith("Recording: ")
     assert operator.text("record") == "Stop recording"
+    curves = operator.child("recorded_curves")
+    empty = curves.grab().toImage()
+    operator.window._show_growing()  # what its timer does
+    assert curves.grab().toImage() != empty
+    QTest.mousePress(curves, Qt.MouseButton.LeftButton, pos=curves.rect().center())
+    assert operator.window.cut is None, "it is not trimmed yet"
     operator.click("record")
     operator.click("save_recording")
     operator.record()

@@ -72,14 +72,21 @@ class RecordedCurves(Translated, QWidget):
         self.setMinimumHeight(_HEIGHT_PX)
         self.setMouseTracking(True)
         self._recording: Recording | None = None
+        self._grows = False
         self._from_s, self._to_s = 0.0, 0.0
         self._dragged: int | None = None
         self._curves: tuple[NDArray[np.float64], ...] = ()
         self._low_deg, self._high_deg = 0.0, 0.0
         self.retranslate_ui()
 
-    def show_recording(self, recording: Recording | None) -> None:
-        """Show another recording, all of it kept, or none with ``None``."""
+    def show_recording(self, recording: Recording | None, *, grows: bool = False) -> None:
+        """Show another recording, all of it kept, or none with ``None``.
+
+        Args:
+            recording: The recording.
+            grows: True while it is being made: it has no handles yet.
+        """
+        self._grows = grows
         self._recording = recording if recording is not None and len(recording.samples) else None
         self._dragged = None
         if self._recording is not None:
@@ -136,7 +143,7 @@ class RecordedCurves(Translated, QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Grab the nearer handle."""
-        if event.button() != Qt.MouseButton.LeftButton or self._recording is None:
+        if event.button() != Qt.MouseButton.LeftButton or self._recording is None or self._grows:
             return
         x_px = event.position().x()
         away_px = [abs(x_px - self.place_px(each)) for each in (self._from_s, self._to_s)]
@@ -150,7 +157,8 @@ class RecordedCurves(Translated, QWidget):
         if self._dragged is not None:
             self._drag(x_px)
             return
-        ends_s = () if self._recording is None else (self._from_s, self._to_s)
+        fixed = self._recording is None or self._grows
+        ends_s = () if fixed else (self._from_s, self._to_s)
         near = any(abs(x_px - self.place_px(each)) < _NEAR_PX for each in ends_s)
         self.setCursor(Qt.CursorShape.SizeHorCursor if near else Qt.CursorShape.ArrowCursor)
 
@@ -187,7 +195,8 @@ class RecordedCurves(Translated, QWidget):
         else:
             self._draw_axes(painter, box)
             self._draw_curves(painter, box)
-            self._draw_ends(painter, box)
+            if not self._grows:
+                self._draw_ends(painter, box)
         painter.end()
 
     def _draw_axes(self, painter: QPainter, box: QRectF) -> None:

@@ -35,6 +35,7 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
+from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
@@ -52,6 +53,9 @@ _AFTER_MS: Final = 250
 """The delay after a key: half an hour of samples is not thinned at each one."""
 
 
+_GROW_MS: Final = 250
+_SEEN_SAMPLES: Final = 4000
+"""The last samples of a running recording are seen: 20 s at 200 Hz."""
 _WRITE_MS: Final = 1000
 """The period of writing: the most that is lost when the program is killed."""
 
@@ -221,6 +225,7 @@ class RecordingPage(Page):
         self._tolerance.step = 0.1
         self._kept = text_label("record_kept", rank="muted")
         self._curves = RecordedCurves()
+        SeenTimer(self, _GROW_MS, self._show_growing)
         self._labels = [QLabel() for _ in range(4)]
         self._message = named("record_message", MessageLine())
 
@@ -295,6 +300,16 @@ class RecordingPage(Page):
             self._keeper.begin(self._wanted_name(), taught_on)
             self._say("")
         self._show_state()
+
+    def _show_growing(self) -> None:
+        """Show the last seconds of what is being recorded."""
+        recorder = self._controller.recorder
+        if not recorder.recording or self._recording is not None:
+            return
+        rows = recorder.rows_from(max(0, recorder.count - _SEEN_SAMPLES))
+        if rows is not None and len(rows):
+            rows[:, 0] -= rows[0, 0]
+            self._curves.show_recording(Recording("", samples=rows), grows=True)
 
     def _wanted_name(self) -> str:
         return self._name.text().strip() or self.tr("Recording")
