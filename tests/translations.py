@@ -182,11 +182,13 @@ def _of_tables(tree: ast.Module) -> Iterator[tuple[str, str]]:
 
 
 def _of_acts(tree: ast.Module) -> Iterator[tuple[str, str]]:
-    """Context and text of the acts that the classes of a file declare."""
+    """Context and text of the acts and columns that the classes of a file declare."""
     for declared in (each for each in ast.walk(tree) if isinstance(each, ast.ClassDef)):
         for call in ast.walk(declared):
             match call:
-                case ast.Call(func=ast.Name(id="Act"), args=args, keywords=more):
+                case ast.Call(
+                    func=ast.Name(id="Act" | "ViewColumn" | "_Column"), args=args, keywords=more
+                ):
                     tips = [each.value for each in more if each.arg == "tip"]
                     for said in (*args[:1], *tips):
                         if isinstance(said, ast.Constant) and said.value:

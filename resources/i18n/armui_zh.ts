@@ -885,6 +885,25 @@
     </message>
 </context>
 <context>
+    <name>BackupColumn</name>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>In the arm</source>
+        <translation>机械臂</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
     <name>BackupDialog</name>
     <message>
         <source>Parameter backup</source>
@@ -993,22 +1012,6 @@
 </context>
 <context>
     <name>BackupModel</name>
-    <message>
-        <source>Parameter</source>
-        <translation>参数</translation>
-    </message>
-    <message>
-        <source>In the file</source>
-        <translation>文件</translation>
-    </message>
-    <message>
-        <source>In the arm</source>
-        <translation>机械臂</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>比较</translation>
-    </message>
     <message>
         <source>… reading</source>
         <translation>… 读取中</translation>
@@ -4238,6 +4241,41 @@
     </message>
 </context>
 <context>
+    <name>EventColumn</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>应答</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>回读</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>次数</translation>
+    </message>
+</context>
+<context>
     <name>EventExport</name>
     <message>
         <source>Save the events</source>
@@ -4320,38 +4358,6 @@
 </context>
 <context>
     <name>EventTable</name>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Until</source>
-        <translation>结束</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>类别</translation>
-    </message>
-    <message>
-        <source>Who</source>
-        <translation>来源</translation>
-    </message>
-    <message>
-        <source>Event</source>
-        <translation>事件</translation>
-    </message>
-    <message>
-        <source>Answer</source>
-        <translation>应答</translation>
-    </message>
-    <message>
-        <source>Read back</source>
-        <translation>回读</translation>
-    </message>
-    <message>
-        <source>Count</source>
-        <translation>次数</translation>
-    </message>
     <message>
         <source>{begin} until {end} ({duration})</source>
         <translation>{begin} 至 {end}（{duration}）</translation>
@@ -7617,6 +7623,39 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
+    <name>LibraryColumn</name>
+    <message>
+        <source>At a speed of 100 % at the top: at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
+        <translation>顶栏速度为 100 % 时：按各点自身或录制的速度，不含到第一个点的路程。按当前速度运行所需的时间在“发送”旁。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点数</translation>
+    </message>
+    <message>
+        <source>Duration
+at 100 %</source>
+        <translation>时长
+（100 %）</translation>
+    </message>
+    <message>
+        <source>Last change</source>
+        <translation>修改时间</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+</context>
+<context>
     <name>LibraryExchange</name>
     <message>
         <source>Reading {names}…</source>
@@ -7774,36 +7813,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>✓ with warnings</source>
         <translation>✓ 有警告</translation>
-    </message>
-    <message>
-        <source>At a speed of 100 % at the top: at the points&apos; own or as recorded, without the way to the first point. How long a run takes at its speed stands beside Run.</source>
-        <translation>顶栏速度为 100 % 时：按各点自身或录制的速度，不含到第一个点的路程。按当前速度运行所需的时间在“发送”旁。</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>点数</translation>
-    </message>
-    <message>
-        <source>Duration
-at 100 %</source>
-        <translation>时长
-（100 %）</translation>
-    </message>
-    <message>
-        <source>Last change</source>
-        <translation>修改时间</translation>
-    </message>
-    <message>
-        <source>Check</source>
-        <translation>检查</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>备注</translation>
     </message>
     <message>
         <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
@@ -14183,6 +14192,41 @@ The other program must have ended.</source>
     </message>
 </context>
 <context>
+    <name>SessionColumn</name>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Begun</source>
+        <translation>开始时间</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+</context>
+<context>
     <name>SessionKind</name>
     <message>
         <source>recorded</source>
@@ -14230,41 +14274,6 @@ The other program must have ended.</source>
     <message>
         <source>its description file cannot be read: {text}</source>
         <translation>旁边的说明文件无法读取：{text}</translation>
-    </message>
-</context>
-<context>
-    <name>SessionsModel</name>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Begun</source>
-        <translation>开始时间</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>Faults</source>
-        <translation>故障</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>急停</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>来源</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
     </message>
 </context>
 <context>

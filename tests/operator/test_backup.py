@@ -13,7 +13,7 @@ from armui.arm.parameters import all_batches
 from armui.control.link.link_state import LinkState
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
-from armui.ui.dialogs.backup import FILED, HELD, NAME, STATE, BackupDialog
+from armui.ui.dialogs.backup import BackupColumn, BackupDialog
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.widgets.message_line import MessageLine
@@ -62,8 +62,9 @@ def rows(app_driver):
     """The table as it is seen: name to file, arm, comparison."""
     model = app_driver.box.table.model()
     return {
-        model.index(row, NAME).data(): tuple(
-            model.index(row, column).data() for column in (FILED, HELD, STATE)
+        model.index(row, BackupColumn.NAME).data(): tuple(
+            model.index(row, column).data()
+            for column in (BackupColumn.FILED, BackupColumn.HELD, BackupColumn.STATE)
         )
         for row in range(model.rowCount())
     }
@@ -72,17 +73,18 @@ def rows(app_driver):
 def ticks(app_driver):
     model = app_driver.box.table.model()
     return [
-        model.index(row, NAME).data()
+        model.index(row, BackupColumn.NAME).data()
         for row in range(model.rowCount())
-        if model.index(row, NAME).data(Qt.ItemDataRole.CheckStateRole) == Qt.CheckState.Checked
+        if model.index(row, BackupColumn.NAME).data(Qt.ItemDataRole.CheckStateRole)
+        == Qt.CheckState.Checked
     ]
 
 
 def untick(app_driver, name):
     model = app_driver.box.table.model()
     for row in range(model.rowCount()):
-        if model.index(row, NAME).data() == name:
-            index = model.index(row, NAME)
+        if model.index(row, BackupColumn.NAME).data() == name:
+            index = model.index(row, BackupColumn.NAME)
             model.setData(index, Qt.CheckState.Unchecked, Qt.ItemDataRole.CheckStateRole)
 
 

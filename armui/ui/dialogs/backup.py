@@ -34,7 +34,14 @@ from armui.ui.widgets.buttons import enable_or_explain, named, push_button
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.progress import quiet_progress
-from armui.ui.widgets.table_model import RIGHT, Index, TableModel, list_rows
+from armui.ui.widgets.table_model import (
+    RIGHT,
+    Index,
+    TableModel,
+    ViewColumn,
+    ViewColumns,
+    list_rows,
+)
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.parameters import (
     beyond_danger,
@@ -54,7 +61,6 @@ _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
 """The most lines of a question."""
 _NARROWEST_COLUMN_PX: Final = 84
-NAME, FILED, HELD, STATE = range(4)
 Said = tuple[str, Level]
 """A text and its severity."""
 
@@ -155,6 +161,22 @@ def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
     return f"{text} {words.why_not(failed[0])}".rstrip(), Level.FAULT
 
 
+_Column = ViewColumn[Callable[["BackupModel", ComparisonRow], str]]
+
+
+class BackupColumn(ViewColumns):
+    """The columns of the comparison."""
+
+    NAME = _Column("Parameter", lambda _, row: full_name(row.parameter))
+    FILED = _Column("In the file", lambda _, row: _value(row, row.filed), figures=True)
+    HELD = _Column("In the arm", lambda _, row: _value(row, row.held), figures=True)
+    STATE = _Column("Comparison", lambda model, row: model.state(row))
+
+
+def _value(row: ComparisonRow, value: float | None) -> str:
+    return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
+
+
 class BackupModel(TableModel):
     """Rows with a tick; only parameters that can be restored, and would change, can be ticked.
 
@@ -166,8 +188,8 @@ class BackupModel(TableModel):
     """
 
     ticked = Signal()
-    _columns = 4
-    _figures = frozenset({FILED, HELD})
+    _table = tuple(BackupColumn)
+    _columns = len(BackupColumn)
 
     def __init__(self, cell: Callable[[Parameter], SettingCellState]) -> None:
         super().__init__()
@@ -224,33 +246,27 @@ class BackupModel(TableModel):
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; only parameters that can be restored can be ticked."""
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
-        if index.column() == NAME and self._rows[index.row()].restorable:
+        if index.column() == BackupColumn.NAME and self._rows[index.row()].restorable:
             flags |= Qt.ItemFlag.ItemIsUserCheckable
         return flags
-
-    def titles(self) -> Sequence[str]:
-        """Return the titles: name, file, arm, comparison."""
-        return (
-            self.tr("Parameter"),
-            self.tr("In the file"),
-            self.tr("In the arm"),
-            self.tr("Comparison"),
-        )
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the text of a cell, its tick, or its tooltip."""
         row = self._rows[index.row()]
-        if role == Qt.ItemDataRole.CheckStateRole and index.column() == NAME:
+        if role == Qt.ItemDataRole.CheckStateRole and index.column() == BackupColumn.NAME:
             if not row.restorable:
                 return None
             ticked = row.parameter in self._chosen
             return Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(row, index.column())
+            return self._table[index.column()].read(self, row)
         if role == Qt.ItemDataRole.ToolTipRole:
             reason = self._reason(row)
             return "" if reason is None else words.refusal(reason)
-        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() in self._figures:
+        if (
+            role == Qt.ItemDataRole.TextAlignmentRole
+            and self._table[index.column()].declared.figures
+        ):
             return RIGHT
         return None
 
@@ -269,15 +285,7 @@ class BackupModel(TableModel):
         self.ticked.emit()
         return True
 
-    def _text(self, row: ComparisonRow, column: int) -> str:
-        if column == NAME:
-            return full_name(row.parameter)
-        if column == STATE:
-            return self._state(row)
-        value = row.filed if column == FILED else row.held
-        return fmt.NOTHING if value is None else value_text(row.parameter.name, value)
-
-    def _state(self, row: ComparisonRow) -> str:
+    def state(self, row: ComparisonRow) -> str:
         """Return the comparison of a row in words, or the progress of its restoring."""
         cell = self._cell(row.parameter)
         if cell.state is CellState.READING:
@@ -351,7 +359,7 @@ class BackupDialog(ArmDialog):
         self.table.setModel(self._shown)
         header = list_rows(self.table)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        header.setSectionResizeMode(BackupColumn.NAME, QHeaderView.ResizeMode.Stretch)
         header.setMinimumSectionSize(_NARROWEST_COLUMN_PX)
         self.only_differences = QCheckBox()
         self.all_button, self.none_button = (push_button(on_enter=False) for _ in range(2))

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence, Sized
-from typing import Any, Final
+import enum
+from collections.abc import Callable, Sequence, Sized
+from dataclasses import dataclass
+from typing import Any, Final, Generic, TypeVar
 
 from PySide6.QtCore import (
     QAbstractTableModel,
+    QCoreApplication,
     QEvent,
     QModelIndex,
     QObject,
@@ -28,6 +31,7 @@ from armui.ui.widgets.layouts import STRETCH, in_column
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
+_Read = TypeVar("_Read", bound=Callable[..., object])
 Index = QModelIndex | QPersistentModelIndex
 
 RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -144,12 +148,80 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
     return table
 
 
+def _alike(*_: object) -> None:
+    """Return the same for every cell."""
+
+
+@dataclass(frozen=True)
+class ViewColumn(Generic[_Read]):
+    """A column of a table, with all that belongs to it; see :class:`ViewColumns`.
+
+    Attributes:
+        title: Its English title.
+        read: Returns what a cell shows; the table says of what.
+        order: Returns what its cells are sorted by; by default they are all alike.
+        tip: The English tooltip of its title.
+        width_px: Its width at first; 0 where another rule has it.
+        sample: The longest text that it is to hold, where its width is made for one.
+        figures: True for figures, which are aligned to the right with their title.
+    """
+
+    title: str
+    read: _Read
+    order: Callable[..., Any] = _alike
+    tip: str = ""
+    width_px: int = 0
+    sample: str = ""
+    figures: bool = False
+
+
+class ViewColumns(enum.IntEnum):
+    """The columns of a table from left to right: a member for each, whose number is its place.
+
+    Their texts are translated in the context of the class.
+    """
+
+    declared: ViewColumn[Any]
+
+    def __new__(cls, declared: ViewColumn[Any]) -> ViewColumns:
+        """Number a column."""
+        column = int.__new__(cls, len(cls.__members__))
+        column._value_ = int(column)
+        column.declared = declared
+        return column
+
+    @property
+    def title(self) -> str:
+        """Its title in the operator's language."""
+        return QCoreApplication.translate(type(self).__name__, self.declared.title)
+
+    def read(self, *of: object) -> Any:
+        """Return what a cell shows; of what, the table says."""
+        return self.declared.read(*of)
+
+    def header(self, role: int) -> Any:
+        """Return its title, the tooltip of that or its alignment, as Qt asks for them."""
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self.title
+        if role == Qt.ItemDataRole.ToolTipRole and self.declared.tip:
+            return QCoreApplication.translate(type(self).__name__, self.declared.tip)
+        right = role == Qt.ItemDataRole.TextAlignmentRole and self.declared.figures
+        return RIGHT if right else None
+
+
+def set_widths(table: QTableView, columns: type[ViewColumns]) -> None:
+    """Set the widths of the columns that declare one."""
+    for column in columns:
+        if column.declared.width_px:
+            table.setColumnWidth(column, column.declared.width_px)
+
+
 class TableModel(QAbstractTableModel):
     """Counts rows and columns, names the columns, and has the view read all cells again."""
 
+    _table: Sequence[ViewColumns] = ()
+    """The columns; a table of another kind counts them, and names them if they have titles."""
     _columns: int
-    _figures: Collection[int] = ()
-    """The columns of figures, which are aligned to the right with their titles."""
     _rows: Sized = ()
 
     def titles(self) -> Sequence[str]:
@@ -170,8 +242,8 @@ class TableModel(QAbstractTableModel):
         """Return the titles of the columns."""
         if orientation is not Qt.Orientation.Horizontal:
             return None
-        if role == Qt.ItemDataRole.TextAlignmentRole and section in self._figures:
-            return RIGHT
+        if self._table:
+            return self._table[section].header(role)
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         titles = self.titles()

@@ -15,7 +15,7 @@ from armui.session.recording.folder import list_recordings
 from armui.session.recording.recorded_session import RecordedSession
 from armui.sim.faults.schedule import fault
 from armui.ui.translation import Translator
-from armui.ui.watch.events.event_table import EventColumn, cell_text
+from armui.ui.watch.events.event_table import EventColumn
 from armui.ui.watch.replay.log_time import wall_time
 
 MILLISECOND = timedelta(milliseconds=1.001)
@@ -70,7 +70,7 @@ def _ended(sessions, rig):
 
 
 def texts(entry):
-    return [cell_text(entry, column) for column in _SAME]
+    return [column.read(entry) for column in _SAME]
 
 
 def end_of(entry) -> datetime | None:

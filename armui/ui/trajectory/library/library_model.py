@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import enum
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
@@ -22,7 +21,7 @@ from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.running.run_estimate import estimate_tip
-from armui.ui.widgets.table_model import RIGHT, Index, TableModel
+from armui.ui.widgets.table_model import RIGHT, Index, TableModel, ViewColumn, ViewColumns
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The :class:`IndexEntry` of a row."""
@@ -32,15 +31,47 @@ _URGENCY: Final = ("damaged", "errors", "draft", "warnings", None, "ok")
 """The order of the check marks in their column."""
 
 
-class LibraryColumn(enum.IntEnum):
-    """The columns from left to right."""
+_Column = ViewColumn[Callable[["LibraryModel", IndexEntry], str]]
 
-    NAME = 0
-    POINTS = 1
-    LENGTH = 2
-    MODIFIED = 3
-    CHECK = 4
-    NOTE = 5
+
+class LibraryColumn(ViewColumns):
+    """The columns; the note takes the rest of the width, too."""
+
+    NAME = _Column("Name", lambda model, entry: model.name(entry), width_px=142)
+    POINTS = _Column(
+        "Points",
+        lambda model, entry: model.count(entry),
+        lambda entry: entry.count,
+        width_px=106,
+        figures=True,
+    )
+    LENGTH = _Column(
+        "Duration\nat 100 %",
+        lambda model, entry: model.length(entry),
+        lambda entry: -1.0 if entry.length_s is None else entry.length_s,
+        tip="At a speed of 100 % at the top: at the points' own or as recorded, without the way "
+        "to the first point. How long a run takes at its speed stands beside Run.",
+        width_px=76,
+        figures=True,
+    )
+    MODIFIED = _Column(
+        "Last change",
+        lambda _, entry: f"{entry.modified.astimezone():%Y-%m-%d %H:%M}",
+        lambda entry: entry.modified.timestamp(),
+        width_px=124,
+    )
+    CHECK = _Column(
+        "Check",
+        lambda model, entry: model.check(entry),
+        lambda entry: _URGENCY.index(_state(entry)),
+        width_px=82,
+    )
+    NOTE = _Column(
+        "Note",
+        lambda _, entry: " ".join(entry.note.split()),
+        lambda entry: entry.note.casefold(),
+        width_px=60,
+    )
 
 
 class LibraryModel(TableModel):
@@ -51,8 +82,8 @@ class LibraryModel(TableModel):
     """
 
     rename_wanted = Signal(str, str)
+    _table = tuple(LibraryColumn)
     _columns = len(LibraryColumn)
-    _figures = frozenset({LibraryColumn.POINTS, LibraryColumn.LENGTH})
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -177,23 +208,18 @@ class LibraryModel(TableModel):
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
         """Return the sort key of a cell within its column."""
         if (row, column) not in self._sort_keys:
-            self._sort_keys[row, column] = _sort_key(
-                replace(
-                    self._rows[row],
-                    check=self._mark(self._rows[row]),
-                    length_s=self.length_s(self._rows[row]),
-                ),
-                LibraryColumn(column),
-            )
+            entry, order = self._rows[row], self._table[column].declared.order
+            entry = replace(entry, check=self._mark(entry), length_s=self.length_s(entry))
+            self._sort_keys[row, column] = order(entry), _natural(entry.name), entry.name
         return self._sort_keys[row, column]
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return what a cell shows."""
         if not index.isValid():
             return None
-        entry, column = self._rows[index.row()], LibraryColumn(index.column())
+        entry, column = self._rows[index.row()], self._table[index.column()]
         if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole}:
-            return self._text(entry, column)
+            return column.read(self, entry)
         if role == Qt.ItemDataRole.EditRole:
             return entry.name
         if role == ENTRY_ROLE:
@@ -203,26 +229,23 @@ class LibraryModel(TableModel):
             if column is LibraryColumn.CHECK and self.has_findings(entry):
                 tip = self.tr("Click: checks it, and lists below what is found.")
             return tip or "\n".join(filter(None, (self._folder_tip(entry), self._tip(entry))))
-        if role == Qt.ItemDataRole.TextAlignmentRole and column in self._figures:
+        if role == Qt.ItemDataRole.TextAlignmentRole and column.declared.figures:
             return RIGHT
         return None
 
-    def _text(self, entry: IndexEntry, column: LibraryColumn) -> str:
-        if column is LibraryColumn.NAME:
-            name = f"{entry.name} *" if entry.name in self._drafts else entry.name
-            folder = shown_folder(entry.folder) if self._tells_folders else ""
-            return f"{name} · {folder}" if folder else name
-        if column is LibraryColumn.POINTS:
-            if entry.damage is not None:
-                return fmt.NOTHING
-            count = fmt.count(entry.count)
-            is_recording = entry.kind == "recording"
-            return self.tr("{count} samples").format(count=count) if is_recording else count
-        if column is LibraryColumn.LENGTH:
-            return self._length(entry)
-        if column is LibraryColumn.MODIFIED:
-            return f"{entry.modified.astimezone():%Y-%m-%d %H:%M}"
-        return self._check(entry) if column is LibraryColumn.CHECK else " ".join(entry.note.split())
+    def name(self, entry: IndexEntry) -> str:
+        """Return its name, with a star for unsaved changes, and its folder."""
+        name = f"{entry.name} *" if entry.name in self._drafts else entry.name
+        folder = shown_folder(entry.folder) if self._tells_folders else ""
+        return f"{name} · {folder}" if folder else name
+
+    def count(self, entry: IndexEntry) -> str:
+        """Return how many points or samples it has."""
+        if entry.damage is not None:
+            return fmt.NOTHING
+        count = fmt.count(entry.count)
+        is_recording = entry.kind == "recording"
+        return self.tr("{count} samples").format(count=count) if is_recording else count
 
     def _folder_tip(self, entry: IndexEntry) -> str:
         folder = shown_folder(entry.folder)
@@ -244,7 +267,8 @@ class LibraryModel(TableModel):
             return "\n".join(filter(None, (told, entry.note)))
         return entry.note
 
-    def _length(self, entry: IndexEntry) -> str:
+    def length(self, entry: IndexEntry) -> str:
+        """Return how long it takes; an estimate has a sign."""
         seconds = self.length_s(entry)
         sign = "≈ " if entry.length_s is None and seconds is not None else ""
         return sign + fmt.duration(seconds)
@@ -262,8 +286,8 @@ class LibraryModel(TableModel):
     def _is_of_other_arm(self, entry: IndexEntry) -> bool:
         return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind
 
-    def _check(self, entry: IndexEntry) -> str:
-        """A sign and a word: a state is never told by one of them alone."""
+    def check(self, entry: IndexEntry) -> str:
+        """Return its state as a sign and a word: it is never told by one of them alone."""
         words_of = {
             "ok": self.tr("✓ checked"),
             "warnings": self.tr("! warnings"),
@@ -279,29 +303,6 @@ class LibraryModel(TableModel):
         if mark == "ok" and entry.name == self._found_of:
             return self.tr("✓ with warnings")
         return words_of[mark]
-
-    def headerData(  # noqa: N802 - Qt's name
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """Return the titles, and what the durations are of."""
-        across = orientation is Qt.Orientation.Horizontal
-        if across and role == Qt.ItemDataRole.ToolTipRole and section == LibraryColumn.LENGTH:
-            return self.tr(
-                "At a speed of 100 % at the top: at the points' own or as recorded, without the "
-                "way to the first point. How long a run takes at its speed stands beside Run."
-            )
-        return super().headerData(section, orientation, role)
-
-    def titles(self) -> Sequence[str]:
-        """Return the titles from left to right."""
-        return (
-            self.tr("Name"),
-            self.tr("Points"),
-            self.tr("Duration\nat 100 %"),
-            self.tr("Last change"),
-            self.tr("Check"),
-            self.tr("Note"),
-        )
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; names can be edited."""
@@ -353,19 +354,10 @@ class LibraryFilter(QSortFilterProxyModel):
         return key(left.row(), left.column()) < key(right.row(), right.column())
 
 
-def _sort_key(entry: IndexEntry, column: LibraryColumn) -> tuple[Any, ...]:
-    """Comparable within a column; what is equal there goes by its name."""
-    name = _natural(entry.name)
-    if column is LibraryColumn.POINTS:
-        return entry.count, name
-    if column is LibraryColumn.LENGTH:
-        return -1.0 if entry.length_s is None else entry.length_s, name
-    if column is LibraryColumn.MODIFIED:
-        return entry.modified.timestamp(), name
-    if column is LibraryColumn.CHECK:
-        state = "draft" if entry.kind == "draft" else entry.check
-        return _URGENCY.index("damaged" if entry.damage is not None else state), name
-    return (entry.note.casefold(), name) if column is LibraryColumn.NOTE else (name, entry.name)
+def _state(entry: IndexEntry) -> str | None:
+    if entry.damage is not None:
+        return "damaged"
+    return "draft" if entry.kind == "draft" else entry.check
 
 
 def _natural(name: str) -> list[tuple[int, str]]:

@@ -11,20 +11,11 @@ from PySide6.QtWidgets import QAbstractItemView, QTableView
 from armui.trajectory.library.store import IndexEntry
 from armui.ui.trajectory.library.library_model import ENTRY_ROLE, LibraryColumn, LibraryFilter
 from armui.ui.widgets.buttons import push_button
-from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint
+from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint, set_widths
 
 _ROW_PX: Final = 34
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
-_WIDTHS_PX: Final = {
-    LibraryColumn.NAME: 142,
-    LibraryColumn.POINTS: 106,
-    LibraryColumn.LENGTH: 76,
-    LibraryColumn.MODIFIED: 124,
-    LibraryColumn.CHECK: 82,
-    LibraryColumn.NOTE: 60,
-}
-"""The widths of all columns; the note takes the rest, too."""
 
 
 class LibraryTable(QTableView):
@@ -46,8 +37,7 @@ class LibraryTable(QTableView):
         self.setWordWrap(False)
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
         list_rows(self).setStretchLastSection(True)
-        for column, width_px in _WIDTHS_PX.items():
-            self.setColumnWidth(column, width_px)
+        set_widths(self, LibraryColumn)
 
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""

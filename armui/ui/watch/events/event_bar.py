@@ -23,7 +23,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.dialogs.files import FileExport
 from armui.ui.watch.events.event_filter import EventFilter, gravity
-from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
+from armui.ui.watch.events.event_table import EventColumn
 from armui.ui.watch.save_button import SaveButton
 from armui.ui.widgets.buttons import drop_down, fold_into, named
 from armui.ui.widgets.layouts import in_row
@@ -106,7 +106,7 @@ def as_json(entries: Sequence[EventEntry]) -> str:
 
 def _titles() -> list[str]:
     level = QCoreApplication.translate("EventTable", "Level")
-    titles = [column_title(column) for column in EventColumn]
+    titles = [column.title for column in EventColumn]
     return [titles[0], level, *titles[1:]]
 
 
@@ -114,7 +114,7 @@ def _cells(entry: EventEntry) -> list[str]:
     """With the date, and the level, which the window shows by a sign."""
     begin = entry.wall.isoformat(sep=" ", timespec="milliseconds")
     columns = tuple(EventColumn)[1:]
-    return [begin, event_level(gravity(entry)), *(cell_text(entry, each) for each in columns)]
+    return [begin, event_level(gravity(entry)), *(each.read(entry) for each in columns)]
 
 
 def _harmless(text: str) -> str:

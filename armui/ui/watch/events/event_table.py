@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Iterator
-from enum import IntEnum
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QCoreApplication, QModelIndex, Qt, QTimer
@@ -17,9 +16,15 @@ from armui.ui.format import NOTHING
 from armui.ui.theme import Colors
 from armui.ui.watch.events.event_filter import EventFilter, gravity
 from armui.ui.widgets import icons
-from armui.ui.widgets.table_model import Index, TableModel, chosen_rows, list_rows
+from armui.ui.widgets.table_model import (
+    Index,
+    TableModel,
+    ViewColumn,
+    ViewColumns,
+    chosen_rows,
+    list_rows,
+)
 from armui.ui.words import event_log as words
-from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QResizeEvent
@@ -27,56 +32,37 @@ if TYPE_CHECKING:
     from armui.telemetry.events import EventLog
 
 
-class EventColumn(IntEnum):
-    """A column of the table."""
-
-    BEGIN = 0
-    END = 1
-    KIND = 2
-    WHO = 3
-    TEXT = 4
-    ANSWER = 5
-    RESULT = 6
-    COUNT = 7
+def _end(entry: EventEntry) -> str:
+    if not entry.lasts:
+        return ""
+    if entry.ended_s is None:
+        return QCoreApplication.translate("EventTable", "ongoing")
+    if entry.unheard:
+        return QCoreApplication.translate("EventTable", "not heard")
+    return clock_text(entry, entry.ended_s)
 
 
-_TITLES: Final = Texts("EventTable") | {
-    EventColumn.BEGIN: "Time",
-    EventColumn.END: "Until",
-    EventColumn.KIND: "Kind",
-    EventColumn.WHO: "Who",
-    EventColumn.TEXT: "Event",
-    EventColumn.ANSWER: "Answer",
-    EventColumn.RESULT: "Read back",
-    EventColumn.COUNT: "Count",
-}
+_Column = ViewColumn[Callable[[EventEntry], str]]
+
+
+class EventColumn(ViewColumns):
+    """The columns; that of what happened takes the rest of the width."""
+
+    BEGIN = _Column("Time", lambda entry: clock_text(entry, entry.at_s), sample="00:00:00.000")
+    END = _Column("Until", _end, sample="00:00:00.000")
+    KIND = _Column("Kind", lambda entry: words.event_kind(entry.kind))
+    WHO = _Column("Who", lambda entry: words.asker(entry.who))
+    TEXT = _Column("Event", words.entry_text)
+    ANSWER = _Column("Answer", lambda entry: _outcome(entry, entry.answer), sample="✓ 00.00 s")
+    RESULT = _Column("Read back", lambda entry: _outcome(entry, entry.result), sample="✓ 00.00 s")
+    COUNT = _Column(
+        "Count", lambda entry: f"× {entry.count}" if entry.count > 1 else "", sample="× 00,000"
+    )
+
+
 _GOOD: Final = "✓"
 _BAD: Final = "✗"
 _CUT: Final = "⚠"
-
-
-def column_title(column: EventColumn) -> str:
-    """Return the title of a column."""
-    return _TITLES.text(column)
-
-
-def cell_text(entry: EventEntry, column: EventColumn) -> str:
-    """Return the text of a cell."""
-    if column is EventColumn.BEGIN:
-        return clock_text(entry, entry.at_s)
-    if column is EventColumn.END:
-        return _end(entry)
-    if column is EventColumn.KIND:
-        return words.event_kind(entry.kind)
-    if column is EventColumn.WHO:
-        return words.asker(entry.who)
-    if column is EventColumn.TEXT:
-        return words.entry_text(entry)
-    if column is EventColumn.ANSWER:
-        return _outcome(entry, entry.answer)
-    if column is EventColumn.RESULT:
-        return _outcome(entry, entry.result)
-    return f"× {entry.count}" if entry.count > 1 else ""
 
 
 def clock_text(entry: EventEntry, at_s: float) -> str:
@@ -87,7 +73,7 @@ def clock_text(entry: EventEntry, at_s: float) -> str:
 
 def search_text(entry: EventEntry) -> str:
     """Return all text of an event, in lower case."""
-    parts = [cell_text(entry, column) for column in EventColumn]
+    parts = [column.read(entry) for column in EventColumn]
     parts += [words.outcome_text(each) for each in (entry.answer, entry.result) if each is not None]
     return " ".join([*parts, entry.code]).casefold()
 
@@ -135,16 +121,6 @@ def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
     return lines
 
 
-def _end(entry: EventEntry) -> str:
-    if not entry.lasts:
-        return ""
-    if entry.ended_s is None:
-        return QCoreApplication.translate("EventTable", "ongoing")
-    if entry.unheard:
-        return QCoreApplication.translate("EventTable", "not heard")
-    return clock_text(entry, entry.ended_s)
-
-
 def _after_s(entry: EventEntry, outcome: EventOutcome) -> float:
     return max(0.0, outcome.at_s - entry.newest_s)
 
@@ -157,13 +133,6 @@ def _outcome(entry: EventEntry, outcome: EventOutcome | None) -> str:
 
 
 _ROW_PX: Final = 24
-_SAMPLES: Final = {
-    EventColumn.BEGIN: "00:00:00.000",
-    EventColumn.END: "00:00:00.000",
-    EventColumn.ANSWER: "✓ 00.00 s",
-    EventColumn.RESULT: "✓ 00.00 s",
-    EventColumn.COUNT: "× 00,000",
-}
 _SIGN_PX: Final = 26
 _PAD_PX: Final = 22
 _TEXT_PX: Final = 240
@@ -184,6 +153,7 @@ class EventModel(TableModel):
         colors: The colours of the theme.
     """
 
+    _table = tuple(EventColumn)
     _columns = len(EventColumn)
 
     def __init__(self, log: EventLog, colors: Colors) -> None:
@@ -328,15 +298,11 @@ class EventModel(TableModel):
 
     # What Qt asks -----------------------------------------------------------------------------
 
-    def titles(self) -> list[str]:
-        """Return the titles of :class:`EventColumn`."""
-        return [column_title(column) for column in EventColumn]
-
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the text of a cell, or its looks."""
-        entry, column = self._rows[index.row()], EventColumn(index.column())
+        entry, column = self._rows[index.row()], self._table[index.column()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return cell_text(entry, column)
+            return column.read(entry)
         if role == Qt.ItemDataRole.ForegroundRole:
             return self._ink(entry, column)
         if role == Qt.ItemDataRole.DecorationRole and column is EventColumn.BEGIN:
@@ -345,8 +311,8 @@ class EventModel(TableModel):
             return self._bold
         return None
 
-    def _ink(self, entry: EventEntry, column: EventColumn) -> QColor | None:
-        if column is EventColumn.RESULT and entry.result is not None:
+    def _ink(self, entry: EventEntry, column: int) -> QColor | None:
+        if column == EventColumn.RESULT and entry.result is not None:
             return self._inks.get(entry.result.level)
         if column in {EventColumn.TEXT, EventColumn.END, EventColumn.BEGIN}:
             return self._inks.get(entry.level) if entry.level is not Level.DONE else None
@@ -422,12 +388,12 @@ class EventTable(QTableView):
         """Set the widths for the longest texts, so that nothing moves while events come."""
         metrics, across = self.fontMetrics(), self.horizontalHeader()
         texts = {
-            **{column: [sample] for column, sample in _SAMPLES.items()},
+            **{each: [each.declared.sample] for each in EventColumn if each.declared.sample},
             EventColumn.KIND: [words.event_kind(kind) for kind in EventKind],
             EventColumn.WHO: [words.asker(who) for who in Asker],
         }
         for column, samples in texts.items():
-            widest = max(metrics.horizontalAdvance(t) for t in (*samples, column_title(column)))
+            widest = max(metrics.horizontalAdvance(t) for t in (*samples, column.title))
             sign = _SIGN_PX if column is EventColumn.BEGIN else 0
             self._widths[column] = widest + sign + _PAD_PX
             across.resizeSection(column, self._widths[column])

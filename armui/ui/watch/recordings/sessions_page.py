@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
-    QT_TRANSLATE_NOOP,
-    QCoreApplication,
     QEvent,
     QModelIndex,
     QObject,
@@ -56,7 +53,15 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.seen_timer import SeenTimer
-from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel, list_rows
+from armui.ui.widgets.table_model import (
+    RIGHT,
+    Index,
+    TableModel,
+    ViewColumn,
+    ViewColumns,
+    list_rows,
+    set_widths,
+)
 from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
@@ -91,34 +96,51 @@ _STATES: Final = Texts("SessionState") | {
     "empty": "empty",
     "damaged": "its description file cannot be read: {text}",
 }
-_TITLES: Final = (
-    QT_TRANSLATE_NOOP("SessionsModel", "Name"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Begun"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Duration"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Size"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Faults"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Stops"),
-    QT_TRANSLATE_NOOP("SessionsModel", "Kind"),
-    QT_TRANSLATE_NOOP("SessionsModel", "State"),
-)
+_Column = ViewColumn[Callable[["SessionsModel", "RecordingEntry"], str]]
 
 
-class SessionColumn(enum.IntEnum):
-    """The columns from left to right."""
+class SessionColumn(ViewColumns):
+    """The columns; the name takes the rest of the width."""
 
-    NAME = 0
-    BEGUN = 1
-    LENGTH = 2
-    SIZE = 3
-    FAULTS = 4
-    STOPS = 5
-    KIND = 6
-    STATE = 7
+    NAME = _Column("Name", lambda _, entry: entry.name)
+    BEGUN = _Column(
+        "Begun",
+        lambda _, entry: moment_text(entry.begun_unix_s),
+        lambda entry: entry.begun_unix_s,
+        width_px=160,
+    )
+    LENGTH = _Column(
+        "Duration",
+        lambda _, entry: fmt.duration(entry.length_s, 0),
+        lambda entry: -1.0 if entry.length_s is None else entry.length_s,
+        width_px=75,
+        figures=True,
+    )
+    SIZE = _Column(
+        "Size",
+        lambda _, entry: size_text(entry.total_bytes),
+        lambda entry: float(entry.total_bytes),
+        width_px=90,
+        figures=True,
+    )
+    FAULTS = _Column(
+        "Faults",
+        lambda _, entry: fmt.NOTHING if entry.faults is None else str(entry.faults),
+        lambda entry: -1 if entry.faults is None else entry.faults,
+        width_px=65,
+        figures=True,
+    )
+    STOPS = _Column(
+        "Stops",
+        lambda _, entry: fmt.NOTHING if entry.stops is None else str(entry.stops),
+        lambda entry: -1 if entry.stops is None else entry.stops,
+        width_px=65,
+        figures=True,
+    )
+    KIND = _Column("Kind", lambda _, entry: _KINDS.word(entry.reason), width_px=150)
+    STATE = _Column("State", lambda model, entry: model.state(entry), width_px=130)
 
 
-_FIGURES: Final = frozenset(
-    {SessionColumn.LENGTH, SessionColumn.SIZE, SessionColumn.FAULTS, SessionColumn.STOPS}
-)
 _GROWING: Final = frozenset({SessionColumn.LENGTH, SessionColumn.SIZE})
 
 
@@ -130,7 +152,8 @@ class SessionsModel(TableModel):
     """
 
     rename_wanted = Signal(str, str)
-    _columns = len(_TITLES)
+    _table = tuple(SessionColumn)
+    _columns = len(SessionColumn)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -160,18 +183,6 @@ class SessionsModel(TableModel):
 
     # What Qt asks -----------------------------------------------------------------------------
 
-    def titles(self) -> Sequence[str]:
-        """Return the titles from left to right."""
-        return [QCoreApplication.translate("SessionsModel", str(title)) for title in _TITLES]
-
-    def headerData(  # noqa: N802 - as Qt has it
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """Return the titles, aligned like the cells below them."""
-        if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
-            return RIGHT if SessionColumn(section) in _FIGURES else LEFT
-        return super().headerData(section, orientation, role)
-
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; a name can be edited, unless its files are being written."""
         flags = super().flags(index)
@@ -182,24 +193,25 @@ class SessionsModel(TableModel):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the content of a cell."""
-        entry, column = self._rows[index.row()], SessionColumn(index.column())
+        entry, column = self._rows[index.row()], self._table[index.column()]
         if role == ENTRY_ROLE:
             return entry
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return RIGHT if column in _FIGURES else None
+            return RIGHT if column.declared.figures else None
         if role == Qt.ItemDataRole.EditRole:
             return entry.name
         if role == SORT_ROLE:
-            return self._sort_key(entry, column)
+            key = column.declared.order(entry)
+            return column.read(self, entry).casefold() if key is None else key
         if role == Qt.ItemDataRole.DisplayRole:
             # of what still grows the figures are those of the listing; the card above follows it
             grows = column in _GROWING and self.is_written(entry.name)
-            return fmt.NOTHING if grows else self._text(entry, column)
+            return fmt.NOTHING if grows else column.read(self, entry)
         if role == Qt.ItemDataRole.ToolTipRole and column in {
             SessionColumn.NAME,
             SessionColumn.STATE,
         }:
-            return self._text(entry, column)
+            return column.read(self, entry)
         return None
 
     def setData(  # noqa: N802 - as Qt has it
@@ -213,23 +225,6 @@ class SessionsModel(TableModel):
         if role == Qt.ItemDataRole.EditRole and new_name != name:
             self.rename_wanted.emit(name, new_name)
         return False
-
-    def _text(self, entry: RecordingEntry, column: SessionColumn) -> str:
-        if column is SessionColumn.NAME:
-            return entry.name
-        if column is SessionColumn.BEGUN:
-            return moment_text(entry.begun_unix_s)
-        if column is SessionColumn.LENGTH:
-            return fmt.duration(entry.length_s, 0)
-        if column is SessionColumn.SIZE:
-            return size_text(entry.total_bytes)
-        if column is SessionColumn.FAULTS:
-            return fmt.NOTHING if entry.faults is None else str(entry.faults)
-        if column is SessionColumn.STOPS:
-            return fmt.NOTHING if entry.stops is None else str(entry.stops)
-        if column is SessionColumn.KIND:
-            return _KINDS.word(entry.reason)
-        return self.state(entry)
 
     def state(self, entry: RecordingEntry) -> str:
         """Return the words on the state of a recording."""
@@ -245,31 +240,12 @@ class SessionsModel(TableModel):
             key = "complete" if entry.path is not None else "empty"
         return _STATES.text(key, {"text": entry.failure})
 
-    def _sort_key(self, entry: RecordingEntry, column: SessionColumn) -> Any:
-        keys: dict[SessionColumn, Any] = {
-            SessionColumn.BEGUN: entry.begun_unix_s,
-            SessionColumn.LENGTH: -1.0 if entry.length_s is None else entry.length_s,
-            SessionColumn.SIZE: float(entry.total_bytes),
-            SessionColumn.FAULTS: -1 if entry.faults is None else entry.faults,
-            SessionColumn.STOPS: -1 if entry.stops is None else entry.stops,
-        }
-        return keys.get(column, self._text(entry, column).casefold())
-
 
 _ROW_PX: Final = 24
 _LEAST_PX: Final = 58
 """The least height of the table: its titles and a row, while a message stands below."""
 _GAP_PX: Final = 6
 _LOOK_MS: Final = 500
-_WIDTHS_PX: Final = {
-    SessionColumn.BEGUN: 160,
-    SessionColumn.LENGTH: 75,
-    SessionColumn.SIZE: 90,
-    SessionColumn.FAULTS: 65,
-    SessionColumn.STOPS: 65,
-    SessionColumn.KIND: 150,
-    SessionColumn.STATE: 130,
-}
 _SAID_HERE: Final = frozenset(
     {
         SESSION_ENDED,
@@ -567,6 +543,5 @@ def _table(shown: QSortFilterProxyModel) -> QTableView:
     table.verticalHeader().setDefaultSectionSize(_ROW_PX)
     across = list_rows(table)
     across.setSectionResizeMode(SessionColumn.NAME, QHeaderView.ResizeMode.Stretch)
-    for column, width_px in _WIDTHS_PX.items():
-        table.setColumnWidth(column, width_px)
+    set_widths(table, SessionColumn)
     return table

@@ -14,7 +14,7 @@ from armui.session.session import MarkKind
 from armui.ui import format as fmt
 from armui.ui.format import NOTHING
 from armui.ui.theme import Colors, colors_of
-from armui.ui.watch.events.event_table import EventColumn, cell_text, column_title
+from armui.ui.watch.events.event_table import EventColumn
 from armui.ui.watch.replay.log_time import moment, wall_time
 from armui.ui.watch.replay.mark_places import MarkPlaces, end_of
 from armui.ui.widgets.translated import Translated
@@ -61,13 +61,13 @@ _SMALL_STEP_S: Final = 0.1
 def mark_text(mark: SessionMark) -> str:
     """Return the text of a mark: source, event, answer and result, in the operator's language."""
     entry = entry_of(mark, wall_time)
-    parts = [f"{cell_text(entry, EventColumn.WHO)}: {cell_text(entry, EventColumn.TEXT)}"]
+    parts = [f"{EventColumn.WHO.read(entry)}: {EventColumn.TEXT.read(entry)}"]
     for column in (EventColumn.ANSWER, EventColumn.RESULT):
-        text = cell_text(entry, column)
+        text = column.read(entry)
         if text not in {"", NOTHING}:
-            parts.append(f"{column_title(column)} {text}")
+            parts.append(f"{column.title} {text}")
     if entry.count > 1:
-        parts.append(cell_text(entry, EventColumn.COUNT))
+        parts.append(EventColumn.COUNT.read(entry))
     return " · ".join(parts)
 
 
