@@ -1191,82 +1191,6 @@
         <source>Show as curve</source>
         <translation>显示为曲线</translation>
     </message>
-    <message>
-        <source>ID</source>
-        <translation>ID</translation>
-    </message>
-    <message>
-        <source>Message</source>
-        <translation>报文</translation>
-    </message>
-    <message>
-        <source>Sender</source>
-        <translation>发送方</translation>
-    </message>
-    <message>
-        <source>Data</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Rate, Hz</source>
-        <translation>频率 Hz</translation>
-    </message>
-    <message>
-        <source>Jitter, ms</source>
-        <translation>抖动 ms</translation>
-    </message>
-    <message>
-        <source>Count</source>
-        <translation>帧数</translation>
-    </message>
-    <message>
-        <source>Last</source>
-        <translation>最近一帧</translation>
-    </message>
-    <message>
-        <source>The identifier on the bus, offsets of 0x470 included</source>
-        <translation>总线上的 ID，包含 0x470 设置的偏移</translation>
-    </message>
-    <message>
-        <source>What the frame is; its signals are below it</source>
-        <translation>该帧的含义；下方是其中的信号</translation>
-    </message>
-    <message>
-        <source>Judged by the identifier: a frame that is neither this program&apos;s nor an arm&apos;s is another host&apos;s</source>
-        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他程序</translation>
-    </message>
-    <message>
-        <source>Bytes that have changed within the last second are lit</source>
-        <translation>最近 1 秒内变化过的字节会点亮</translation>
-    </message>
-    <message>
-        <source>What the last frame said, in physical units</source>
-        <translation>最近一帧的内容，按物理单位</translation>
-    </message>
-    <message>
-        <source>Over the last 3 s, and at least 8 cycles</source>
-        <translation>按最近 3 秒计算，至少 8 个周期</translation>
-    </message>
-    <message>
-        <source>How far the cycles of the last 3 s are from their mean on average / the longest cycle since the counting began</source>
-        <translation>最近 3 秒内周期与其平均值的平均偏差 / 开始统计以来最长的周期</translation>
-    </message>
-    <message>
-        <source>Since the counting began</source>
-        <translation>开始统计以来</translation>
-    </message>
-    <message>
-        <source>When the last frame came</source>
-        <translation>最近一帧到达的时间</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Content</source>
-        <translation>内容</translation>
-    </message>
 </context>
 <context>
     <name>BusPage</name>
@@ -5344,6 +5268,81 @@ Z 轴指向 {direction}</translation>
     <message>
         <source>User frame</source>
         <translation>用户坐标系</translation>
+    </message>
+</context>
+<context>
+    <name>FrameColumn</name>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>报文</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Rate, Hz</source>
+        <translation>频率 Hz</translation>
+    </message>
+    <message>
+        <source>Jitter, ms</source>
+        <translation>抖动 ms</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>帧数</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>最近一帧</translation>
+    </message>
+    <message>
+        <source>The identifier on the bus, offsets of 0x470 included</source>
+        <translation>总线上的 ID，包含 0x470 设置的偏移</translation>
+    </message>
+    <message>
+        <source>What the frame is; its signals are below it</source>
+        <translation>该帧的含义；下方是其中的信号</translation>
+    </message>
+    <message>
+        <source>Judged by the identifier: a frame that is neither this program&apos;s nor an arm&apos;s is another host&apos;s</source>
+        <translation>按 ID 判断：既不是本程序发送、也不是机械臂会发送的帧，属于其他程序</translation>
+    </message>
+    <message>
+        <source>Bytes that have changed within the last second are lit</source>
+        <translation>最近 1 秒内变化过的字节会点亮</translation>
+    </message>
+    <message>
+        <source>What the last frame said, in physical units</source>
+        <translation>最近一帧的内容，按物理单位</translation>
+    </message>
+    <message>
+        <source>Over the last 3 s, and at least 8 cycles</source>
+        <translation>按最近 3 秒计算，至少 8 个周期</translation>
+    </message>
+    <message>
+        <source>How far the cycles of the last 3 s are from their mean on average / the longest cycle since the counting began</source>
+        <translation>最近 3 秒内周期与其平均值的平均偏差 / 开始统计以来最长的周期</translation>
+    </message>
+    <message>
+        <source>Since the counting began</source>
+        <translation>开始统计以来</translation>
+    </message>
+    <message>
+        <source>When the last frame came</source>
+        <translation>最近一帧到达的时间</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>内容</translation>
     </message>
 </context>
 <context>
@@ -16270,6 +16269,33 @@ Before: {before}</source>
     <message>
         <source>Disable</source>
         <translation>失能</translation>
+    </message>
+</context>
+<context>
+    <name>TraceColumn</name>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>报文</translation>
+    </message>
+    <message>
+        <source>Sender</source>
+        <translation>发送方</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>内容</translation>
     </message>
 </context>
 <context>

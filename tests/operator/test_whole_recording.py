@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from armui.protocol.generation import Generation
-from armui.ui.watch.bus import trace_model
+from armui.ui.watch.bus.trace_model import TraceColumn
 from armui.ui.watch.export_dialog import ExportDialog
 from tests.operator.replay_actions import Replay
 from tests.session.recordings import START_S, frames, moving, write
@@ -91,12 +91,12 @@ def test_the_frames_around_the_moment_are_listed_and_lead_to_theirs(replay):
         [model.index(row, column).data() for column in range(model.columnCount())]
         for row in range(model.rowCount())
     ]
-    angles = next(row for row in texts if row[trace_model.ID] == "0x2A5")
-    assert angles[trace_model.NAME] == "Angles of J1, J2"
-    assert angles[trace_model.SENDER] == "arm"
-    assert angles[trace_model.SAYS].startswith("J1 ")
+    angles = next(row for row in texts if row[TraceColumn.ID] == "0x2A5")
+    assert angles[TraceColumn.NAME] == "Angles of J1, J2"
+    assert angles[TraceColumn.SENDER] == "arm"
+    assert angles[TraceColumn.SAYS].startswith("J1 ")
     row = table.currentIndex().row() - 40
-    index = model.index(row, trace_model.NAME)
+    index = model.index(row, TraceColumn.NAME)
     table.scrollTo(index)
     place = table.visualRect(index).center()
     QTest.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=place)

@@ -8,9 +8,9 @@ from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from armui.ui.watch.bus import frame_model
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.bus.cells import TableCell
+from armui.ui.watch.bus.frame_model import FrameColumn
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -59,7 +59,7 @@ class BusMonitor:
     def rows(self):
         """Identifier and sender of what is shown."""
         return [
-            (self.cell(index, frame_model.ID), self.cell(index, frame_model.SENDER))
+            (self.cell(index, FrameColumn.ID), self.cell(index, FrameColumn.SENDER))
             for index in self.indexes()
         ]
 
@@ -81,8 +81,8 @@ class BusMonitor:
     def details(self, index):
         """What stands below a frame: names and values."""
         return {
-            self.model.index(place, frame_model.NAME, index).data(): self.model.index(
-                place, frame_model.SAYS, index
+            self.model.index(place, FrameColumn.NAME, index).data(): self.model.index(
+                place, FrameColumn.SAYS, index
             ).data()
             for place in range(self.model.rowCount(index))
         }

@@ -8,8 +8,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from armui.bus.link import BUS_OFF
-from armui.ui.watch.bus import frame_model, trace_model
 from armui.ui.watch.bus.cells import Tone
+from armui.ui.watch.bus.frame_model import FrameColumn
+from armui.ui.watch.bus.trace_model import TraceColumn
 from tests.accepted import accepted
 from tests.company import OtherArm
 from tests.operator.bus.actions import LEFT, BusMonitor, painted
@@ -28,13 +29,13 @@ def no_menu_is_left():
 def test_the_arms_frames_with_rate_jitter_and_count(monitor):
     monitor.run(2.0)
     index = monitor.index("0x2A5")
-    cells = [monitor.cell(index, column) for column in range(frame_model.COLUMNS)]
+    cells = [monitor.cell(index, column) for column in FrameColumn]
 
     assert cells[:3] == ["0x2A5", "Angles of J1, J2", "arm"]
-    assert float(cells[frame_model.RATE]) == pytest.approx(200, abs=3)
-    assert cells[frame_model.JITTER].startswith("±")
-    assert int(cells[frame_model.COUNT]) == pytest.approx(440, abs=8)
-    assert len(cells[frame_model.LAST]) == len("12:34:56.789")
+    assert float(cells[FrameColumn.RATE]) == pytest.approx(200, abs=3)
+    assert cells[FrameColumn.JITTER].startswith("±")
+    assert int(cells[FrameColumn.COUNT]) == pytest.approx(440, abs=8)
+    assert len(cells[FrameColumn.LAST]) == len("12:34:56.789")
     assert monitor.read("bus_lost") == "0"
     assert monitor.read("bus_load").endswith("%")
 
@@ -52,14 +53,14 @@ def test_signals_with_units_and_words_below_a_frame(monitor):
 
 
 def test_what_a_frame_says_stands_in_its_row(monitor):
-    assert monitor.cell(monitor.index("0x2A5"), frame_model.SAYS) == "J1 0.000°   J2 0.000°"
+    assert monitor.cell(monitor.index("0x2A5"), FrameColumn.SAYS) == "J1 0.000°   J2 0.000°"
     accepted(monitor.driver.controller.motion.send_joints((5.0, *[0.0] * 5)))
     monitor.run(3.0)
-    says = monitor.index("0x2A5").siblingAtColumn(frame_model.SAYS)
+    says = monitor.index("0x2A5").siblingAtColumn(FrameColumn.SAYS)
 
     assert says.data() == "J1 5.000°   J2 0.000°"
     assert says.data(Qt.ItemDataRole.ToolTipRole) == "J1: 5.000°\nJ2: 0.000°"
-    assert "Status Normal (0)" in monitor.cell(monitor.index("0x2A1"), frame_model.SAYS)
+    assert "Status Normal (0)" in monitor.cell(monitor.index("0x2A1"), FrameColumn.SAYS)
 
 
 def test_the_words_change_with_the_language(monitor):
@@ -67,7 +68,7 @@ def test_the_words_change_with_the_language(monitor):
     monitor.driver.store.change(language="zh")
     monitor.run()
 
-    assert monitor.cell(monitor.index("0x2A1"), frame_model.NAME) == "机械臂状态"
+    assert monitor.cell(monitor.index("0x2A1"), FrameColumn.NAME) == "机械臂状态"
     assert monitor.details(monitor.index("0x2A1"))["状态"] == "正常 (0)"
     assert monitor.window.title == "总线监视"
 
@@ -75,8 +76,8 @@ def test_the_words_change_with_the_language(monitor):
 def test_who_sends_what(monitor, company):
     company.move_to((0.0,) * 6, 10)
     monitor.run()
-    assert monitor.cell(monitor.index("0x155"), frame_model.SENDER) == "another host"
-    tone = painted(monitor.index("0x155").siblingAtColumn(frame_model.SENDER)).tone
+    assert monitor.cell(monitor.index("0x155"), FrameColumn.SENDER) == "another host"
+    tone = painted(monitor.index("0x155").siblingAtColumn(FrameColumn.SENDER)).tone
     assert tone is Tone.NOTE
     monitor.driver.run(4.0)
     accepted(monitor.driver.controller.motion.send_joints((5.0, *[0.0] * 5)))
@@ -94,7 +95,7 @@ def test_a_leader_arm_is_called_one_and_a_second_arm_too(monitor):
 
     assert ("0x155", "leader arm") in monitor.rows()
     assert ("0x2C5", "another arm") in monitor.rows()
-    assert "other identifiers" in monitor.cell(monitor.index("0x2C5"), frame_model.NAME)
+    assert "other identifiers" in monitor.cell(monitor.index("0x2C5"), FrameColumn.NAME)
     leader.close()
     other.close()
 
@@ -106,13 +107,13 @@ def test_unknown_and_malformed_frames_with_the_reason(monitor, company):
         bus.send(can.Message(arbitration_id=0x040, is_error_frame=True, data=bytes(8)))
     monitor.run()
 
-    assert monitor.cell(monitor.index("0x3C1"), frame_model.NAME).startswith("Unknown")
-    assert monitor.cell(monitor.index("0x18FF50E5"), frame_model.NAME).startswith("29-bit")
+    assert monitor.cell(monitor.index("0x3C1"), FrameColumn.NAME).startswith("Unknown")
+    assert monitor.cell(monitor.index("0x18FF50E5"), FrameColumn.NAME).startswith("29-bit")
     assert "2 bytes instead of 8" in monitor.details(monitor.index("0x2A8"))
     assert painted(monitor.index("0x2A8")).tone is Tone.TROUBLE
     assert "1 bytes instead of 8" in monitor.details(monitor.index("0x151"))
     error = monitor.index("0x040", "adapter")
-    assert monitor.cell(error, frame_model.NAME) == "Error frame of the adapter"
+    assert monitor.cell(error, FrameColumn.NAME) == "Error frame of the adapter"
     assert monitor.read("bus_errors").startswith("1")
     monitor.unfold_filter()
     monitor.click("bus_only_unknown")
@@ -143,12 +144,12 @@ def test_bytes_that_change_are_lit_for_a_second(monitor, company):
     monitor.run()
     company.say("3C1#01FF03")
     monitor.run()
-    payload = painted(monitor.index("0x3C1").siblingAtColumn(frame_model.DATA)).payload
+    payload = painted(monitor.index("0x3C1").siblingAtColumn(FrameColumn.DATA)).payload
     assert payload.text == "01 FF 03"
     assert payload.lit[:3] == (False, True, False)
     monitor.run(1.2)
 
-    payload = painted(monitor.index("0x3C1").siblingAtColumn(frame_model.DATA)).payload
+    payload = painted(monitor.index("0x3C1").siblingAtColumn(FrameColumn.DATA)).payload
     assert not any(payload.lit)
 
 
@@ -158,7 +159,7 @@ def test_a_frame_that_stops_is_silent(monitor, company):
     stream.end()
     monitor.run(1.0)
 
-    assert monitor.cell(monitor.index("0x3C1"), frame_model.RATE) == "silent"
+    assert monitor.cell(monitor.index("0x3C1"), FrameColumn.RATE) == "silent"
     assert painted(monitor.index("0x3C1")).tone is Tone.MUTED
 
 
@@ -209,9 +210,9 @@ def test_pause_lets_the_figures_stand_and_says_so(monitor):
     monitor.driver.wait(monitor.window.isActiveWindow)
     QTest.keyClick(monitor.window, Qt.Key.Key_P, Qt.KeyboardModifier.ControlModifier)
     monitor.driver.wait(monitor.find("bus_pause").isChecked)
-    before = [monitor.cell(i, frame_model.COUNT) for i in monitor.indexes()]
+    before = [monitor.cell(i, FrameColumn.COUNT) for i in monitor.indexes()]
     monitor.run(1.0)
-    assert [monitor.cell(i, frame_model.COUNT) for i in monitor.indexes()] == before
+    assert [monitor.cell(i, FrameColumn.COUNT) for i in monitor.indexes()] == before
     assert monitor.read("bus_paused").startswith("Paused")
     assert not monitor.find("bus_rate").isVisible()  # no figure of now beside those that stand
     monitor.click("bus_pause")
@@ -219,7 +220,7 @@ def test_pause_lets_the_figures_stand_and_says_so(monitor):
 
     assert monitor.read("bus_paused") == ""
     # what came meanwhile was counted
-    assert int(monitor.cell(monitor.index("0x2A5"), frame_model.COUNT)) > 240
+    assert int(monitor.cell(monitor.index("0x2A5"), FrameColumn.COUNT)) > 240
 
 
 def test_clear_begins_anew(monitor, company):
@@ -230,7 +231,7 @@ def test_clear_begins_anew(monitor, company):
     monitor.run(0.1)
 
     assert "0x3C1" not in monitor.ids()
-    assert int(monitor.cell(monitor.index("0x2A5"), frame_model.COUNT)) < 30
+    assert int(monitor.cell(monitor.index("0x2A5"), FrameColumn.COUNT)) < 30
 
 
 def test_frames_in_order_of_time(monitor, company):
@@ -239,14 +240,14 @@ def test_frames_in_order_of_time(monitor, company):
     monitor.run(0.1)
     monitor.click("bus_pause")
     model = monitor.window.trace_model
-    shown = [model.index(place, trace_model.ID).data() for place in range(model.rowCount())]
-    times = [model.index(place, trace_model.TIME).data() for place in range(model.rowCount())]
+    shown = [model.index(place, TraceColumn.ID).data() for place in range(model.rowCount())]
+    times = [model.index(place, TraceColumn.TIME).data() for place in range(model.rowCount())]
 
     assert times == sorted(times)
     place = shown.index("0x3C1")
-    assert model.index(place, trace_model.SENDER).data() == "not known"
+    assert model.index(place, TraceColumn.SENDER).data() == "not known"
     joints = shown.index("0x2A5")
-    assert model.index(joints, trace_model.SAYS).data() == "J1 0.000°   J2 0.000°"
+    assert model.index(joints, TraceColumn.SAYS).data() == "J1 0.000°   J2 0.000°"
     monitor.run(0.5)
     assert model.rowCount() == len(shown)  # it stands
     trace = monitor.window.trace
@@ -267,7 +268,7 @@ def test_the_filter_holds_for_single_frames_too(monitor, company):
     monitor.click("bus_only_changed")
     monitor.run()
     assert model.rowCount() == 1
-    assert painted(model.index(0, trace_model.DATA)).payload.lit == (False, True)
+    assert painted(model.index(0, TraceColumn.DATA)).payload.lit == (False, True)
 
 
 def test_a_click_on_the_sign_shows_the_curve(monitor):
@@ -360,7 +361,7 @@ def test_hidden_it_listens_to_nothing_and_begins_anew(monitor):
     monitor.driver.click("bus_button")
     monitor.run(0.1)
 
-    assert int(monitor.cell(monitor.index("0x2A5"), frame_model.COUNT)) < 40
+    assert int(monitor.cell(monitor.index("0x2A5"), FrameColumn.COUNT)) < 40
 
 
 def test_another_device_is_counted_by_itself(monitor):
@@ -400,8 +401,8 @@ def test_in_a_narrow_window_the_data_are_seen_whole(monitor):
     window.resize(1500, 700)
     window.resize(800, 700)
     header = monitor.tree.header()
-    right = header.sectionViewportPosition(frame_model.DATA) + header.sectionSize(frame_model.DATA)
+    right = header.sectionViewportPosition(FrameColumn.DATA) + header.sectionSize(FrameColumn.DATA)
     assert right <= monitor.tree.viewport().width()
-    assert header.sectionSize(frame_model.SAYS) >= 220
+    assert header.sectionSize(FrameColumn.SAYS) >= 220
     window.resize(2200, 700)
     assert header.length() <= monitor.tree.viewport().width()

@@ -21,12 +21,11 @@ from armui.ui import words
 from armui.ui.actions.act import HasActs
 from armui.ui.actions.keys import listen_for
 from armui.ui.theme import colors_of
-from armui.ui.watch.bus import frame_model, trace_model
-from armui.ui.watch.bus.cells import KEY_ROLE, RowView, bytes_width
+from armui.ui.watch.bus.cells import KEY_ROLE, RowView
 from armui.ui.watch.bus.filter_bar import FilterBar
-from armui.ui.watch.bus.frame_model import FrameModel, FrameTexts
+from armui.ui.watch.bus.frame_model import FrameColumn, FrameModel, FrameTexts
 from armui.ui.watch.bus.send_box import SendBox
-from armui.ui.watch.bus.trace_model import TraceModel
+from armui.ui.watch.bus.trace_model import TraceColumn, TraceModel
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.curve_menu import show_curves, tell_quantities
@@ -67,7 +66,6 @@ _OLD_S: Final = 1.0
 _BUSY_PERCENT: Final = 80.0
 _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
 _ICON_PX: Final = 16
-_PAD_PX: Final = 18
 _INDENT_PX: Final = 22
 _SAYS_PX: Final = 220
 _WIDE: Final = "9000 /s"
@@ -89,36 +87,20 @@ class FrameTree(RowView):
         self.setModel(model)
         self.setIndentation(_INDENT_PX)
         self.setExpandsOnDoubleClick(True)
-        self._fit_columns()
-
-    def _fit_columns(self) -> None:
-        text = self.fontMetrics().horizontalAdvance
+        self.fit_columns(FrameColumn, FrameColumn.DATA, FrameColumn.SAYS)
         header = self.header()
-        widths = {
-            frame_model.ID: text("0x00000000") + _INDENT_PX + _PAD_PX,
-            frame_model.SENDER: text("another host") + _PAD_PX,
-            frame_model.NAME: text("Driver of J1, slow values") + _PAD_PX,
-            frame_model.DATA: bytes_width(self) + _PAD_PX,
-            frame_model.RATE: text("Rate, Hz 0") + _PAD_PX,
-            frame_model.JITTER: text("±00.00 / 00.00") + _PAD_PX,
-            frame_model.COUNT: text("00,000,000") + _PAD_PX,
-            frame_model.LAST: text("00:00:00.000") + _PAD_PX,
-        }
-        for column, width in widths.items():
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Interactive)
-            header.resizeSection(column, width)
-        header.setSectionResizeMode(frame_model.SAYS, QHeaderView.ResizeMode.Stretch)
+        header.resizeSection(FrameColumn.ID, header.sectionSize(FrameColumn.ID) + _INDENT_PX)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the room of the content column; the last columns scroll if not all fit."""
         header = self.header()
-        others = header.length() - header.sectionSize(frame_model.SAYS)
+        others = header.length() - header.sectionSize(FrameColumn.SAYS)
         fits = self.viewport().width() - others >= _SAYS_PX
         modes = QHeaderView.ResizeMode
         mode = modes.Stretch if fits else modes.Interactive
-        if header.sectionResizeMode(frame_model.SAYS) != mode:
-            header.setSectionResizeMode(frame_model.SAYS, mode)
-            header.resizeSection(frame_model.SAYS, _SAYS_PX)
+        if header.sectionResizeMode(FrameColumn.SAYS) != mode:
+            header.setSectionResizeMode(FrameColumn.SAYS, mode)
+            header.resizeSection(FrameColumn.SAYS, _SAYS_PX)
         super().resizeEvent(event)
 
     def drawRow(  # noqa: N802 - the name Qt calls
@@ -134,7 +116,7 @@ class FrameTree(RowView):
             )
 
     def _sign(self, index: Index) -> QRect | None:
-        first = index.sibling(index.row(), frame_model.ID)
+        first = index.sibling(index.row(), FrameColumn.ID)
         if not first.data(KEY_ROLE):
             return None
         cell = self.visualRect(first)
@@ -160,7 +142,7 @@ class FrameTree(RowView):
         super().keyPressEvent(event)
 
     def _show_curve(self, index: Index) -> None:
-        key = index.sibling(index.row(), frame_model.ID).data(KEY_ROLE) if index.isValid() else None
+        key = index.sibling(index.row(), FrameColumn.ID).data(KEY_ROLE) if index.isValid() else None
         if key:
             self.curves_wanted.emit([key])
 
@@ -174,18 +156,7 @@ class TraceList(RowView):
         self.setRootIsDecorated(False)
         self.setItemsExpandable(False)
         self.setModel(model)
-        text = self.fontMetrics().horizontalAdvance
-        header = self.header()
-        widths = {
-            trace_model.TIME: text("00:00:00.000") + _PAD_PX,
-            trace_model.ID: text("0x00000000") + _PAD_PX,
-            trace_model.NAME: text("Control mode, kind of motion, speed") + _PAD_PX,
-            trace_model.SENDER: text("another host") + _PAD_PX,
-            trace_model.DATA: bytes_width(self) + _PAD_PX,
-        }
-        for column, width in widths.items():
-            header.resizeSection(column, width)
-        header.setSectionResizeMode(trace_model.SAYS, QHeaderView.ResizeMode.Stretch)
+        self.fit_columns(TraceColumn, TraceColumn.DATA, TraceColumn.SAYS)
 
 
 class BusSummary(Translated, QWidget):

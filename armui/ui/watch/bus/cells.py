@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -17,15 +17,16 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QStyleOptionViewItem, QTreeView, QWidget
+from PySide6.QtWidgets import QHeaderView, QStyleOptionViewItem, QTreeView, QWidget
 
 from armui.ui.theme import Colors, colors_of
-from armui.ui.widgets.table_model import Index
+from armui.ui.widgets.table_model import Index, ViewColumns
 
 KEY_ROLE: Final = Qt.ItemDataRole.UserRole
 """The role of the key of the row's quantity."""
 
 _SIDE_PX: Final = 6
+_PAD_PX: Final = 18
 _MORE: Final = " …"
 _BYTES: Final = 8
 _BYTE_CHARACTERS: Final = 3
@@ -128,6 +129,20 @@ class RowView(QTreeView):
         self.header().setStretchLastSection(False)
         self.header().setHighlightSections(False)
         self.header().setSectionsMovable(False)
+
+    def fit_columns(self, columns: Iterable[ViewColumns], data: int, rest: int) -> None:
+        """Make the columns as wide as their samples.
+
+        Args:
+            columns: The columns.
+            data: The one of the bytes.
+            rest: The one that takes the rest of the width.
+        """
+        for column in columns:
+            sample_px = self._metrics.horizontalAdvance(column.declared.sample)
+            self.header().resizeSection(column, sample_px + _PAD_PX)
+        self.header().resizeSection(data, bytes_width(self) + _PAD_PX)
+        self.header().setSectionResizeMode(rest, QHeaderView.ResizeMode.Stretch)
 
     def _prepare_fonts(self) -> None:
         self._byte_font = byte_font(self)

@@ -19,7 +19,7 @@ from armui.telemetry.bus_statistics import Cycle, FrameRow
 from armui.telemetry.quantities import quantity_key
 from armui.ui import format as fmt
 from armui.ui.watch.bus.cells import KEY_ROLE, Payload, TableCell, Tone
-from armui.ui.widgets.table_model import LEFT, RIGHT, Index
+from armui.ui.widgets.table_model import RIGHT, Index, ViewColumn, ViewColumns
 from armui.ui.words import frames
 from armui.ui.words.frames import message_name, signal_name, signal_value
 
@@ -32,9 +32,6 @@ if TYPE_CHECKING:
 LIT_S: Final = 1.0
 """The time for which a changed byte is highlighted."""
 
-ID, NAME, SENDER, DATA, SAYS, RATE, JITTER, COUNT, LAST = range(9)
-COLUMNS: Final = 9
-_RIGHT: Final = frozenset({RATE, JITTER, COUNT})
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 _LEADER: Final = frozenset({0x151, 0x155, 0x156, 0x157, 0x159})
 """The frames of a leader arm (0x470)."""
@@ -208,12 +205,77 @@ class _Node:
         self._read = None
 
 
+_Column = ViewColumn[Callable[["FrameModel", FrameRow], str]]
+
+
+class FrameColumn(ViewColumns):
+    """The columns; bytes and content are drawn otherwise, and the content takes the rest."""
+
+    ID = _Column(
+        "ID",
+        lambda _, row: frames.frame_id(row.arbitration_id, row.flags),
+        tip="The identifier on the bus, offsets of 0x470 included",
+        sample="0x00000000",
+    )
+    NAME = _Column(
+        "Message",
+        lambda model, row: model.texts.name(row.arbitration_id, row.flags),
+        tip="What the frame is; its signals are below it",
+        sample="Driver of J1, slow values",
+    )
+    SENDER = _Column(
+        "Sender",
+        lambda model, row: model.texts.sender(row.sender, row.arbitration_id),
+        tip="Judged by the identifier: a frame that is neither this program's nor an arm's is "
+        "another host's",
+        sample="another host",
+    )
+    DATA = _Column(
+        "Data", lambda *_: "", tip="Bytes that have changed within the last second are lit"
+    )
+    SAYS = _Column("Content", lambda *_: "", tip="What the last frame said, in physical units")
+    RATE = _Column(
+        "Rate, Hz",
+        lambda model, row: model.rate(row),
+        tip="Over the last 3 s, and at least 8 cycles",
+        sample="Rate, Hz 0",
+        figures=True,
+    )
+    JITTER = _Column(
+        "Jitter, ms",
+        lambda model, row: model.jitter(row),
+        tip="How far the cycles of the last 3 s are from their mean on average / the longest "
+        "cycle since the counting began",
+        sample="±00.00 / 00.00",
+        figures=True,
+    )
+    COUNT = _Column(
+        "Count",
+        lambda _, row: fmt.count(row.count),
+        tip="Since the counting began",
+        sample="00,000,000",
+        figures=True,
+    )
+    LAST = _Column(
+        "Last",
+        lambda model, row: model.clock_text(row.last_s),
+        tip="When the last frame came",
+        sample="00:00:00.000",
+    )
+
+
+_COLUMNS: Final = tuple(FrameColumn)
+
+
 class FrameModel(QAbstractItemModel):
     """The counts for each identifier and sender.
 
     Args:
         texts: Formats frames.
         clock_text: Returns the time of day at a monotonic time, as text.
+
+    Attributes:
+        texts, clock_text: As given.
     """
 
     def __init__(
@@ -223,8 +285,8 @@ class FrameModel(QAbstractItemModel):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._texts = texts
-        self._clock_text = clock_text
+        self.texts: FrameTexts = texts
+        self.clock_text: Callable[[float], str] = clock_text
         self._nodes: list[_Node] = []
         self._by_number: dict[int, _Node] = {}
         self._cycles: dict[int, tuple[FrameRow, Cycle | None]] = {}
@@ -257,7 +319,7 @@ class FrameModel(QAbstractItemModel):
         for node in self._nodes:
             self._fit_details(node)
         if self._nodes:
-            last = self.index(len(self._nodes) - 1, COLUMNS - 1)
+            last = self.index(len(self._nodes) - 1, len(_COLUMNS) - 1)
             self.dataChanged.emit(self.index(0, 0), last)
 
     def clear(self) -> None:
@@ -273,7 +335,7 @@ class FrameModel(QAbstractItemModel):
         for node in self._nodes:
             node.forget()
             self._fit_details(node)
-        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, COLUMNS - 1)
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(_COLUMNS) - 1)
         self.layoutChanged.emit()
 
     def _number_places(self, first: int) -> None:
@@ -282,9 +344,9 @@ class FrameModel(QAbstractItemModel):
 
     def _wanted_details(self, node: _Node) -> int:
         row = node.row
-        trouble = self._texts.trouble(row)
-        said = trouble == self._texts.name(row.arbitration_id, row.flags)
-        return len(node.signals(self._texts)) + bool(trouble and not said)
+        trouble = self.texts.trouble(row)
+        said = trouble == self.texts.name(row.arbitration_id, row.flags)
+        return len(node.signals(self.texts)) + bool(trouble and not said)
 
     def _fit_details(self, node: _Node) -> None:
         """As many rows below it as there is to be said."""
@@ -311,7 +373,7 @@ class FrameModel(QAbstractItemModel):
         if index.internalId():
             key = self._key(index)
             return [key] if key else []
-        keys = [signal.key for signal in node.signals(self._texts) if signal.key]
+        keys = [signal.key for signal in node.signals(self.texts) if signal.key]
         return list(dict.fromkeys(keys))
 
     # Qt's questions ---------------------------------------------------------------------------
@@ -344,26 +406,21 @@ class FrameModel(QAbstractItemModel):
 
     def columnCount(self, _parent: Index = QModelIndex()) -> int:  # noqa: N802, B008 - Qt
         """Return the number of columns, the same for every row."""
-        return COLUMNS
+        return len(_COLUMNS)
 
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
     ) -> Any:
         """Return the title of a column."""
-        if orientation is not Qt.Orientation.Horizontal:
-            return None
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return RIGHT if section in _RIGHT else LEFT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return _header_tips()[section]
-        return _headers()[section] if role == Qt.ItemDataRole.DisplayRole else None
+        across = orientation is Qt.Orientation.Horizontal
+        return _COLUMNS[section].header(role) if across else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the content of a cell."""
         if not index.isValid():
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return RIGHT if index.column() in _RIGHT else None
+            return RIGHT if _COLUMNS[index.column()].declared.figures else None
         if role == KEY_ROLE:
             return self._key(index)
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -372,16 +429,16 @@ class FrameModel(QAbstractItemModel):
 
     def _key(self, index: Index) -> str | None:
         """Of the quantity that a signal is drawn as."""
-        signals = self._node(index).signals(self._texts) if index.internalId() else []
+        signals = self._node(index).signals(self.texts) if index.internalId() else []
         return signals[index.row()].key if index.row() < len(signals) else None
 
     def _tip(self, index: Index) -> str:
         if not index.internalId():
             node = self._node(index)
-            if index.column() == SAYS:
-                return "\n".join(f"{e.name}: {e.value}" for e in node.signals(self._texts))
-            return self._texts.trouble(node.row) or self._texts.words(node.row)
-        if index.column() == ID and self._key(index) is not None:
+            if index.column() == FrameColumn.SAYS:
+                return "\n".join(f"{e.name}: {e.value}" for e in node.signals(self.texts))
+            return self.texts.trouble(node.row) or self.texts.words(node.row)
+        if index.column() == FrameColumn.ID and self._key(index) is not None:
             return App.translate("BusMonitor", "Show as curve")
         return self.cells(index)[index.column()].text
 
@@ -393,43 +450,27 @@ class FrameModel(QAbstractItemModel):
         row = node.row
         tones = self._tones(row)
         cells = [
-            TableCell(self._text(row, column), tones[column], column in _RIGHT)
-            for column in range(COLUMNS)
+            TableCell(column.read(self, row), tones[column], column.declared.figures)
+            for column in _COLUMNS
         ]
-        cells[DATA] = TableCell("", tones[DATA], payload=self._payload(row))
-        cells[SAYS] = TableCell(node.says(self._texts), tones[SAYS])
+        cells[FrameColumn.DATA] = TableCell("", tones[FrameColumn.DATA], payload=self._payload(row))
+        cells[FrameColumn.SAYS] = TableCell(node.says(self.texts), tones[FrameColumn.SAYS])
         return cells
 
     def _payload(self, row: FrameRow) -> Payload:
         since_s = self._now_s - LIT_S
         return Payload(row.data, tuple(each > since_s for each in row.changed_s))
 
-    def _tones(self, row: FrameRow) -> dict[int, Tone]:
+    def _tones(self, row: FrameRow) -> dict[FrameColumn, Tone]:
         """By column."""
         if row.is_silent(self._now_s):
-            return dict.fromkeys(range(COLUMNS), Tone.MUTED)
-        tones = dict.fromkeys(range(COLUMNS), Tone.PLAIN)
+            return dict.fromkeys(_COLUMNS, Tone.MUTED)
+        tones = dict.fromkeys(_COLUMNS, Tone.PLAIN)
         if row.invalid_count:
-            tones[ID] = tones[NAME] = Tone.TROUBLE
+            tones[FrameColumn.ID] = tones[FrameColumn.NAME] = Tone.TROUBLE
         if row.sender in _OTHERS:
-            tones[SENDER] = Tone.NOTE
+            tones[FrameColumn.SENDER] = Tone.NOTE
         return tones
-
-    def _text(self, row: FrameRow, column: int) -> str:
-        texts = self._texts
-        if column == ID:
-            return frames.frame_id(row.arbitration_id, row.flags)
-        if column == NAME:
-            return texts.name(row.arbitration_id, row.flags)
-        if column == SENDER:
-            return texts.sender(row.sender, row.arbitration_id)
-        if column in {DATA, SAYS}:
-            return ""
-        if column == COUNT:
-            return fmt.count(row.count)
-        if column == LAST:
-            return self._clock_text(row.last_s)
-        return self._timing(row, column)
 
     def _cycle(self, row: FrameRow) -> Cycle | None:
         """Reckoned once for each row that came."""
@@ -438,29 +479,37 @@ class FrameModel(QAbstractItemModel):
             known = self._cycles[row.number] = row, row.cycle()
         return known[1]
 
-    def _timing(self, row: FrameRow, column: int) -> str:
+    def rate(self, row: FrameRow) -> str:
+        """Return how often it comes, in hertz."""
         cycle = self._cycle(row)
         if cycle is None:
             return fmt.NOTHING
-        if column == RATE:
-            if row.is_silent(self._now_s):
-                return App.translate("BusMonitor", "silent")
-            return fmt.number(cycle.rate_hz, 1 if cycle.rate_hz < 100 else 0)
+        if row.is_silent(self._now_s):
+            return App.translate("BusMonitor", "silent")
+        return fmt.number(cycle.rate_hz, 1 if cycle.rate_hz < 100 else 0)
+
+    def jitter(self, row: FrameRow) -> str:
+        """Return how unevenly it comes, and its longest gap, in milliseconds."""
+        cycle = self._cycle(row)
+        if cycle is None:
+            return fmt.NOTHING
         longest_s = math.nan if row.max_gap_s is None else row.max_gap_s
         return f"±{_ms(cycle.deviation_s)} / {_ms(longest_s)}"
 
     def _detail_cells(self, node: _Node, place: int) -> list[TableCell]:
         """A signal; below the signals what is wrong with the frame."""
-        cells = [TableCell()] * COLUMNS
-        signals = node.signals(self._texts)
+        cells = [TableCell()] * len(_COLUMNS)
+        signals = node.signals(self.texts)
         if place < len(signals):
-            cells[NAME] = TableCell(signals[place].name)
-            cells[SAYS] = TableCell(signals[place].value)
+            cells[FrameColumn.NAME] = TableCell(signals[place].name)
+            cells[FrameColumn.SAYS] = TableCell(signals[place].value)
             return cells
-        cells[NAME] = TableCell(self._texts.trouble(node.row), Tone.TROUBLE)
+        cells[FrameColumn.NAME] = TableCell(self.texts.trouble(node.row), Tone.TROUBLE)
         if node.row.invalid_count:
-            cells[COUNT] = TableCell(str(node.row.invalid_count), Tone.TROUBLE, right=True)
-            cells[LAST] = TableCell(self._clock_text(node.row.invalid_s), Tone.TROUBLE)
+            cells[FrameColumn.COUNT] = TableCell(
+                str(node.row.invalid_count), Tone.TROUBLE, right=True
+            )
+            cells[FrameColumn.LAST] = TableCell(self.clock_text(node.row.invalid_s), Tone.TROUBLE)
         return cells
 
 
@@ -469,39 +518,3 @@ def _ms(seconds: float) -> str:
     if not math.isfinite(ms):
         return fmt.NOTHING
     return fmt.number(ms, 2 if ms < 10 else 1 if ms < 100 else 0)
-
-
-def _headers() -> tuple[str, ...]:
-    return (
-        App.translate("BusMonitor", "ID"),
-        App.translate("BusMonitor", "Message"),
-        App.translate("BusMonitor", "Sender"),
-        App.translate("BusMonitor", "Data"),
-        App.translate("BusMonitor", "Content"),
-        App.translate("BusMonitor", "Rate, Hz"),
-        App.translate("BusMonitor", "Jitter, ms"),
-        App.translate("BusMonitor", "Count"),
-        App.translate("BusMonitor", "Last"),
-    )
-
-
-def _header_tips() -> tuple[str, ...]:
-    return (
-        App.translate("BusMonitor", "The identifier on the bus, offsets of 0x470 included"),
-        App.translate("BusMonitor", "What the frame is; its signals are below it"),
-        App.translate(
-            "BusMonitor",
-            "Judged by the identifier: a frame that is neither this program's nor an arm's is "
-            "another host's",
-        ),
-        App.translate("BusMonitor", "Bytes that have changed within the last second are lit"),
-        App.translate("BusMonitor", "What the last frame said, in physical units"),
-        App.translate("BusMonitor", "Over the last 3 s, and at least 8 cycles"),
-        App.translate(
-            "BusMonitor",
-            "How far the cycles of the last 3 s are from their mean on average / the longest "
-            "cycle since the counting began",
-        ),
-        App.translate("BusMonitor", "Since the counting began"),
-        App.translate("BusMonitor", "When the last frame came"),
-    )

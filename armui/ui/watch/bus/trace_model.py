@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, Final
 
-from PySide6.QtCore import QCoreApplication as App
 from PySide6.QtCore import QModelIndex, QObject, Qt
 
 from armui.protocol.frame import FrameFlag
@@ -13,12 +12,51 @@ from armui.telemetry.bus_senders import Sender
 from armui.telemetry.bus_trace import TracedFrame, TraceSnapshot
 from armui.ui.watch.bus.cells import Payload, TableCell, Tone
 from armui.ui.watch.bus.frame_model import FrameTexts, signals_text
-from armui.ui.widgets.table_model import LEFT, Index, TableModel
+from armui.ui.widgets.table_model import Index, TableModel, ViewColumn, ViewColumns
 from armui.ui.words import frames
 
-TIME, ID, NAME, SENDER, DATA, SAYS = range(6)
 _ERROR_BIT: Final = 0x20000000
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
+
+
+_Column = ViewColumn[Callable[["TraceModel", TracedFrame], TableCell]]
+
+
+class TraceColumn(ViewColumns):
+    """The columns; the content takes the rest of the width."""
+
+    TIME = _Column(
+        "Time",
+        lambda model, frame: TableCell(model.clock_text(frame.at_s)),
+        sample="00:00:00.000",
+    )
+    ID = _Column(
+        "ID",
+        lambda _, frame: TableCell(frames.frame_id(frame.arbitration_id, frame.flags)),
+        sample="0x00000000",
+    )
+    NAME = _Column(
+        "Message",
+        lambda model, frame: TableCell(model.texts.name(frame.arbitration_id, frame.flags)),
+        sample="Control mode, kind of motion, speed",
+    )
+    SENDER = _Column(
+        "Sender",
+        lambda model, frame: TableCell(
+            model.texts.sender(frame.sender, frame.arbitration_id),
+            Tone.NOTE if frame.sender in _OTHERS else Tone.PLAIN,
+        ),
+        sample="another host",
+    )
+    DATA = _Column("Data", lambda _, frame: TableCell(payload=Payload(frame.data, frame.changed)))
+    SAYS = _Column(
+        "Content",
+        lambda model, frame: TableCell(
+            signals_text(
+                model.texts.signals(frame.arbitration_id, frame.flags, frame.data, frame.sender)
+            )
+        ),
+    )
 
 
 class TraceModel(TableModel):
@@ -27,9 +65,13 @@ class TraceModel(TableModel):
     Args:
         texts: Formats frames.
         clock_text: Returns the time of day at a monotonic time, as text.
+
+    Attributes:
+        texts, clock_text: As given.
     """
 
-    _columns = 6
+    _table = tuple(TraceColumn)
+    _columns = len(TraceColumn)
 
     def __init__(
         self,
@@ -38,8 +80,8 @@ class TraceModel(TableModel):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._texts = texts
-        self._clock_text = clock_text
+        self.texts: FrameTexts = texts
+        self.clock_text: Callable[[float], str] = clock_text
         self._trace: TraceSnapshot | None = None
         self._read: tuple[int, TracedFrame] | None = None
 
@@ -80,25 +122,6 @@ class TraceModel(TableModel):
         """Return the number of frames."""
         return 0 if parent.isValid() or self._trace is None else len(self._trace)
 
-    def titles(self) -> Sequence[str]:
-        """Return the titles from left to right."""
-        return (
-            App.translate("BusMonitor", "Time"),
-            App.translate("BusMonitor", "ID"),
-            App.translate("BusMonitor", "Message"),
-            App.translate("BusMonitor", "Sender"),
-            App.translate("BusMonitor", "Data"),
-            App.translate("BusMonitor", "Content"),
-        )
-
-    def headerData(  # noqa: N802 - the name Qt calls
-        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> Any:
-        """Return the titles, aligned to the left."""
-        if role == Qt.ItemDataRole.TextAlignmentRole and orientation is Qt.Orientation.Horizontal:
-            return LEFT
-        return super().headerData(section, orientation, role)
-
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the content of a cell."""
         if not index.isValid() or self._trace is None:
@@ -108,20 +131,7 @@ class TraceModel(TableModel):
     def cells(self, index: Index) -> list[TableCell]:
         """Return a whole row for painting."""
         frame = self._frame(index.row())
-        texts = self._texts
-        arbitration_id, flags, sender = frame.arbitration_id, frame.flags, frame.sender
-        signals = texts.signals(arbitration_id, flags, frame.data, sender)
-        return [
-            TableCell(self._clock_text(frame.at_s)),
-            TableCell(frames.frame_id(arbitration_id, flags)),
-            TableCell(texts.name(arbitration_id, flags)),
-            TableCell(
-                texts.sender(sender, arbitration_id),
-                Tone.NOTE if sender in _OTHERS else Tone.PLAIN,
-            ),
-            TableCell(payload=Payload(frame.data, frame.changed)),
-            TableCell(signals_text(signals)),
-        ]
+        return [column.read(self, frame) for column in self._table]
 
     def _frame(self, place: int) -> TracedFrame:
         if self._read is None or self._read[0] != place:
