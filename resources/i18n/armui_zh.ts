@@ -1077,13 +1077,6 @@
     </message>
 </context>
 <context>
-    <name>BinButton</name>
-    <message>
-        <source>Recently deleted…</source>
-        <translation>最近删除…</translation>
-    </message>
-</context>
-<context>
     <name>BinDialog</name>
     <message>
         <source>Choose what to restore</source>
@@ -7657,6 +7650,10 @@ at 100 %</source>
 <context>
     <name>LibraryExchange</name>
     <message>
+        <source>Results…</source>
+        <translation>导入结果…</translation>
+    </message>
+    <message>
         <source>Reading {names}…</source>
         <translation>正在读取 {names}…</translation>
     </message>
@@ -10991,6 +10988,13 @@ pose</source>
     </message>
 </context>
 <context>
+    <name>RecentlyDeleted</name>
+    <message>
+        <source>Recently deleted…</source>
+        <translation>最近删除…</translation>
+    </message>
+</context>
+<context>
     <name>RecordedCurves</name>
     <message>
         <source>What is recorded appears here</source>
@@ -13834,13 +13838,6 @@ The other program must have ended.</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
-    </message>
-</context>
-<context>
-    <name>ReportButton</name>
-    <message>
-        <source>Results…</source>
-        <translation>导入结果…</translation>
     </message>
 </context>
 <context>

@@ -146,7 +146,7 @@ def test_the_library(live_driver, monkeypatch, tmp_path):
         app_driver.wait(lambda: "three" in driver.names())
         window._actions.delete(["three"])
         app_driver.wait(lambda: "three" not in driver.names())
-        window._bin_button.click()
+        window._deleted.button.click()
         bin_dialog = app_driver.dialog(BinDialog)
         table = bin_dialog.findChild(QTableView)
         app_driver.wait(lambda: table is None or table.model().rowCount() > 0)

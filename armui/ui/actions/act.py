@@ -152,6 +152,10 @@ class Act:
         """Mark the method that returns true while it is the main button, if it can be pressed."""
         return self._marked("lit", method)
 
+    def there(self, method: _Method) -> _Method:
+        """Mark the method that returns true while it is seen at all, where it comes and goes."""
+        return self._marked("there", method)
+
     def _marked(self, what: str, method: _Method) -> _Method:
         self._methods[what] = method.__name__
         return method
@@ -252,6 +256,8 @@ class Act:
         enable_or_explain(button, self.reason(owner), use, key=keys)
         if "lit" in self._methods:
             show_primary(button, wanted=button.isEnabled() and self._ask(owner, "lit"))
+        if "there" in self._methods:
+            button.setVisible(self._ask(owner, "there"))
 
     def _ask(self, owner: HasActs, what: str, default: Callable[[], Any] = str) -> Any:
         """Return what the marked method says; without one the default."""

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from PySide6.QtCore import QSize, Signal
-from PySide6.QtWidgets import QAbstractItemView, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtCore import QObject, QSize, Signal
+from PySide6.QtWidgets import QAbstractItemView, QTableWidgetItem, QWidget
 
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.trajectory.library.bin import KEPT
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Deleted
-from armui.ui.actions.act import Act
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_work import LibraryWork
@@ -22,7 +22,6 @@ from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
-from armui.ui.widgets.translated import Translated
 
 _SIZE: Final = QSize(680, 460)
 _ROW_PX: Final = 34
@@ -117,32 +116,32 @@ class BinDialog(ArmDialog):
         self._show_usable()
 
 
-class BinButton(Translated, QPushButton):
-    """Opens the window, and keeps its list up to date.
+class RecentlyDeleted(HasActs, QObject):
+    """Opens the window by a button, and keeps its list up to date.
 
     Args:
         controller: Receives the emergency stop.
         work: Reads from the library what was deleted.
         actions: Restores, and reports the result.
-        window: The parent of the window.
+        page: The page with the button.
     """
 
+    button = Act("Recently deleted…", named="library_bin", key="library.bin")
+
     def __init__(
-        self, controller: ArmController, work: LibraryWork, actions: LibraryActions, window: QWidget
+        self, controller: ArmController, work: LibraryWork, actions: LibraryActions, page: QWidget
     ) -> None:
-        super().__init__(window)
+        super().__init__(page)
         self._controller = controller
         self._work = work
         self._actions = actions
+        self._page = page
         self._dialog: BinDialog | None = None
-        self.setObjectName("library_bin")
-        self.setAutoDefault(False)
-        self.clicked.connect(lambda _checked=False: self._open())
-        self.retranslate_ui()
 
+    @button.pressed
     def _open(self) -> None:
         if self._dialog is None:
-            self._dialog = BinDialog(self._controller, self.window())
+            self._dialog = BinDialog(self._controller, self._page.window())
             # it goes with the window that it was opened from, which may be one taken out
             self._dialog.destroyed.connect(self._on_gone)
             self._dialog.wanted.connect(self._actions.bring_back)
@@ -167,7 +166,3 @@ class BinButton(Translated, QPushButton):
         if self._dialog is not None:
             self._dialog.show_deleted(())
             self._dialog.say(text, Level.FAULT)
-
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        self.setText(self.tr("Recently deleted…"))

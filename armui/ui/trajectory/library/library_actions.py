@@ -7,7 +7,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QPushButton
 
 from armui.control.events import Level
 from armui.trajectory.library.folders import shown_folder
@@ -22,13 +22,25 @@ from armui.trajectory.library.history import (
 from armui.trajectory.library.store import Deleted, Listing
 from armui.trajectory.points.program import Trajectory
 from armui.ui import format as fmt
-from armui.ui.actions.keys import key_text, listen_for
+from armui.ui.actions.act import Act, HasActs
+from armui.ui.actions.keys import SHORTCUTS, key_text
 from armui.ui.trajectory.library.library_work import LibraryWork
+from armui.ui.widgets.buttons import named
 from armui.ui.widgets.message_line import Words
-from armui.ui.widgets.translated import Translated
+
+_WIDEST_PX: Final = 170
 
 
-class LibraryActions(QObject):
+class _CutButton(QPushButton):
+    """Cuts a text that would make it too wide."""
+
+    def setText(self, text: str) -> None:  # noqa: N802 - Qt's name
+        """Set the text."""
+        right = Qt.TextElideMode.ElideRight
+        super().setText(self.fontMetrics().elidedText(text, right, _WIDEST_PX))
+
+
+class LibraryActions(HasActs, QObject):
     """Creates, copies, renames, deletes; actions can be undone, the last one first.
 
     Args:
@@ -39,12 +51,17 @@ class LibraryActions(QObject):
     Signals:
         said: A text, or a function that returns it, and its :class:`Level`.
         changed: The library has changed; with the names to be selected.
-        undo_changed: The next step of undo has changed.
     """
 
     said = Signal(object, object)
     changed = Signal(object)
-    undo_changed = Signal()
+    undo_button = Act(
+        SHORTCUTS["library.undo"].title,
+        named="library_undo",
+        key="library.undo",
+        shortcut="",
+        kind=lambda name: named(name, _CutButton()),
+    )
 
     def __init__(self, work: LibraryWork, is_open: Callable[[str], bool], parent: QObject) -> None:
         super().__init__(parent)
@@ -52,11 +69,6 @@ class LibraryActions(QObject):
         self._library = work.library
         self._is_open = is_open
         self._history = LibraryHistory(work.library)
-
-    @property
-    def last(self) -> Step | None:
-        """The step that would be undone next."""
-        return self._history.last
 
     def listing(self) -> Listing:
         """Return the library's content, after dropping steps that cannot be undone any more.
@@ -176,10 +188,11 @@ class LibraryActions(QObject):
         if names:
             self._work.do(
                 lambda: self._history.note_made(names, Origin.IMPORTED),
-                lambda _: self.undo_changed.emit(),
+                lambda _: self.show_acts(),
                 self._on_refused,
             )
 
+    @undo_button.pressed
     def undo(self) -> None:
         """Undo the last step."""
         step = self._history.last
@@ -211,12 +224,12 @@ class LibraryActions(QObject):
     def _on_refused(self, text: str) -> None:
         # it may be refused because the library is another than the operator sees
         self.changed.emit(None)
-        self.undo_changed.emit()
+        self.show_acts()
         self.said.emit(text, Level.FAULT)
 
     def _done(self, names: Sequence[str] | None, text: Words = "") -> None:
         self.changed.emit(names)
-        self.undo_changed.emit()
+        self.show_acts()
         self.said.emit(text, Level.DONE)
 
     # Words ------------------------------------------------------------------------------------
@@ -243,7 +256,20 @@ class LibraryActions(QObject):
     def _brought_back(self, names: Sequence[str]) -> str:
         return self.tr("Restored: {names}").format(names=fmt.name_list(names))
 
-    def undo_text(self) -> tuple[str, str]:
+    @undo_button.there
+    def _can_undo(self) -> bool:
+        return self._history.last is not None
+
+    @undo_button.text
+    def _undo_text(self) -> str:
+        return self._undo_texts()[0]
+
+    @undo_button.tip
+    def _undo_tip(self) -> str:
+        text, effect = self._undo_texts()
+        return f"{text} ({key_text('library.undo')})\n{effect}"
+
+    def _undo_texts(self) -> tuple[str, str]:
         """Return the name and the effect of the next step of undo; empty texts if there is none."""
         step = self._history.last
         if step is None:
@@ -266,39 +292,3 @@ class LibraryActions(QObject):
             }[step.origin]
             effect = self.tr("Deletes it; it can be restored for 30 days.")
         return text.format(names=names), effect
-
-
-_WIDEST_PX: Final = 210
-_SIDES_PX: Final = 40
-
-
-class UndoButton(Translated, QPushButton):
-    """A button shown while something can be undone; Ctrl+Z in its page presses it.
-
-    Args:
-        actions: Undoes.
-        page: The page in which the key counts.
-    """
-
-    def __init__(self, actions: LibraryActions, page: QWidget) -> None:
-        super().__init__(page)
-        self._actions = actions
-        self.setObjectName("library_undo")
-        self.setAutoDefault(False)
-        listen_for("library.undo", page, actions.undo)
-        self.clicked.connect(lambda _checked=False: actions.undo())
-        actions.undo_changed.connect(self.show_step)
-        self.show_step()
-
-    def show_step(self) -> None:
-        """Show the step that would be undone now."""
-        text, effect = self._actions.undo_text()
-        room_px = _WIDEST_PX - _SIDES_PX
-        self.setText(self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, room_px))
-        self.setToolTip(f"{text} ({key_text('library.undo')})\n{effect}")
-        self.setAccessibleName(text)
-        self.setVisible(bool(text))
-
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        self.show_step()

@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractButton, QLineEdit, QMenu, QPushButton, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLineEdit, QMenu, QTableView, QWidget
 
 from armui.trajectory.files import SUFFIXES
 from armui.trajectory.library.store import IndexEntry
@@ -76,7 +76,7 @@ class LibraryBar(HasActs, QWidget):
         """The buttons by their names."""
         return {**self._buttons, "export": self._export}
 
-    def add_button(self, button: QPushButton) -> None:
+    def add_button(self, button: QAbstractButton) -> None:
         """Add a button that does its work by itself."""
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._flow.insert(len(self.buttons), button)

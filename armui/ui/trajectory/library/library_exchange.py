@@ -10,7 +10,7 @@ from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QMimeData, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QHeaderView, QPushButton, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import QFileDialog, QHeaderView, QTableWidgetItem, QWidget
 from shiboken6 import isValid
 
 from armui.arm.refusal import Refusal
@@ -30,6 +30,7 @@ from armui.trajectory.planning.findings import Finding
 from armui.trajectory.points.program import OF_FLANGE, PosesOf
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.background import Job
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
@@ -38,7 +39,6 @@ from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
-from armui.ui.widgets.translated import Translated
 from armui.ui.words.findings import finding as finding_text
 
 _PATTERNS: Final = "*.armui *.log *.csv *.json *.jsonl *.npz *.ppr *.tsv *.txt *.yaml *.yml"
@@ -222,42 +222,6 @@ class ImportReport(ArmDialog):
         return self.tr("✓ As “{name}”").format(name=result.name)
 
 
-class ReportButton(Translated, QPushButton):
-    """Opens the report of the last import; visible as long as its message.
-
-    Args:
-        controller: Receives the emergency stop.
-        window: The parent of the report.
-
-    Attributes:
-        results: What became of each file; empty if there is nothing to report.
-    """
-
-    def __init__(self, controller: ArmController, window: QWidget) -> None:
-        super().__init__(window)
-        self._controller = controller
-        self.results: Sequence[Result] = ()
-        self.setObjectName("library_report")
-        self.setAutoDefault(False)
-        self.clicked.connect(lambda _checked=False: self._open())
-        self.hide()
-        self.retranslate_ui()
-
-    def show_for(self, results: Sequence[Result]) -> None:
-        """Offer the report of these results, or none."""
-        self.results = results
-        self.setVisible(bool(results))
-
-    def _open(self) -> None:
-        report = ImportReport(self._controller, self.results, self.window())
-        report.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        report.open()
-
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        self.setText(self.tr("Results…"))
-
-
 class FileDrop(QObject):
     """Lets files be dropped on a widget; they are read, never moved.
 
@@ -300,7 +264,7 @@ _MOST_PROBLEMS: Final = 3
 """The most problems shown in the message itself."""
 
 
-class LibraryExchange(QObject):
+class LibraryExchange(HasActs, QObject):
     """Imports valid files, never overwrites silently, and reports the results.
 
     Args:
@@ -310,8 +274,8 @@ class LibraryExchange(QObject):
         window: The parent of the choosers.
 
     Attributes:
-        by_columns: The button for files that are not in a format of ours.
-        report: The button that shows the result of each of several files.
+        by_columns: Offers to import files that are not in a format of ours.
+        report: The button that shows the result of each of several files, as long as their message.
 
     Signals:
         said: A text, or a function that returns it, and its :class:`Level`.
@@ -324,6 +288,7 @@ class LibraryExchange(QObject):
     imported = Signal(object)
     checked = Signal(object)
     found = Signal(str)
+    report = Act("Results…", named="library_report", key="library.report")
 
     def __init__(
         self, controller: ArmController, checks: Checks, work: LibraryWork, window: QWidget
@@ -338,15 +303,30 @@ class LibraryExchange(QObject):
         self._library = work.library
         self._window = window
         self.by_columns = ColumnsOffer(work, controller, window)
-        self.report = ReportButton(controller, window)
+        self._results: Sequence[Result] = ()
         self.by_columns.imported.connect(self._on_by_columns)
         self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
 
     def withdraw_offers(self) -> None:
         """Hide the offers, because another message is shown."""
         self.by_columns.show_for(())
-        self.report.show_for(())
+        self._offer_report(())
         self._to_check = ()
+
+    def _offer_report(self, results: Sequence[Result]) -> None:
+        """Offer the report of these results, or none."""
+        self._results = results
+        self.show_acts()
+
+    @report.there
+    def _has_report(self) -> bool:
+        return bool(self._results)
+
+    @report.pressed
+    def _open_report(self) -> None:
+        report = ImportReport(self._controller, self._results, self._window.window())
+        report.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        report.open()
 
     def choose_imports(self) -> None:
         """Let the operator choose files to import."""
@@ -404,7 +384,7 @@ class LibraryExchange(QObject):
         tables = [one.path for one in imported if one.is_table]
         self._tell_checked(told, names, Level.WARNING if failed else Level.DONE)
         self.by_columns.show_for(tables)
-        self.report.show_for(results if len(results) > 1 else ())
+        self._offer_report(results if len(results) > 1 else ())
         if tables and len(tables) == len(imported):
             self.by_columns.lead()
 
@@ -436,10 +416,10 @@ class LibraryExchange(QObject):
             if self._to_check:
                 self._check_next(told, level)
             elif self._beyond:
-                offers = self.by_columns.paths, self.report.results
+                offers = self.by_columns.paths, self._results
                 self.said.emit(partial(self._tell_beyond, told, self._beyond), Level.WARNING)
                 self.by_columns.show_for(offers[0])
-                self.report.show_for(offers[1])
+                self._offer_report(offers[1])
 
         # one after another: what the operator asks for meanwhile waits for one of them at most
         self._work.do(lambda: self._library.load(names[0]), on_read, lambda _text: None)

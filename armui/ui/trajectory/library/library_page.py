@@ -34,12 +34,13 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import HasActs
 from armui.ui.actions.command import Command, Target
+from armui.ui.actions.keys import listen_for
 from armui.ui.background import Background
 from armui.ui.trajectory.editor.findings_pane import FindingsPane
 from armui.ui.trajectory.editor.point_edits import NO_ROWS_CHOSEN
-from armui.ui.trajectory.library.bin_dialog import BinButton
+from armui.ui.trajectory.library.bin_dialog import RecentlyDeleted
 from armui.ui.trajectory.library.folder_bar import FolderBar
-from armui.ui.trajectory.library.library_actions import LibraryActions, UndoButton
+from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.library_bar import LibraryBar
 from armui.ui.trajectory.library.library_editors import LibraryEditors
 from armui.ui.trajectory.library.library_exchange import FileDrop, LibraryExchange
@@ -61,12 +62,12 @@ from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
 from armui.ui.trajectory.recording.recording_page import RecordingPage
 from armui.ui.trajectory.recording.unsaved_line import UnsavedRecordingLine
 from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
-from armui.ui.words.text import Text
 
 _PAUSE_MS: Final = 300
 """So long a list stands before lengths are worked out: what it is asked for comes first."""
@@ -95,12 +96,12 @@ class LibraryPage(Page):
     leaves_at_escape = False
     commands = (
         *LibraryBar.commands,
-        Command("library.bin", Text("BinButton", "Recently deleted…")),
+        *RecentlyDeleted.commands,
         *FolderBar.commands,
         Command("library.find"),
-        Command("library.undo"),
-        Command("library.by_columns", Text("ColumnsOffer", "Import by columns…")),
-        Command("library.report", Text("ReportButton", "Results…")),
+        *LibraryActions.commands,
+        *ColumnsOffer.commands,
+        *LibraryExchange.commands,
         *run_commands("library"),
     )
     page_made = Signal(object)
@@ -133,8 +134,7 @@ class LibraryPage(Page):
         self._message = named("library_message", MessageLine(keeps_room=False))
         self._actions = LibraryActions(self._work, self.editors.__contains__, self)
         self._folder_bar = FolderBar(self._actions, self._name_bar, self.chosen, self)
-        self._undo_button = UndoButton(self._actions, self)
-        self._bin_button = BinButton(controller, self._work, self._actions, self)
+        self._deleted = RecentlyDeleted(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
         self._watch = LibraryWatch(library.folder, self, background)
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
@@ -157,26 +157,26 @@ class LibraryPage(Page):
         """Return the target of each command, by the command's name."""
         return {
             **super().command_targets(),
-            "library.bin": self._bin_button,
             "library.find": self._bar.search,
-            "library.undo": self._undo_button,
-            "library.by_columns": self._exchange.by_columns,
-            "library.report": self._exchange.report,
             **self._run_bar.command_targets("library"),
         }
 
     def act_parts(self) -> Iterable[HasActs]:
-        """Return the bars, whose acts the page offers."""
-        return self._bar, self._folder_bar
+        """Return the bars and what else has buttons, whose acts the page offers."""
+        exchange = self._exchange
+        return (
+            *(self._bar, self._deleted, self._folder_bar),
+            *(self._actions, exchange.by_columns, exchange),
+        )
 
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        offers = (self._exchange.report, self._exchange.by_columns)
+        offers = (self._exchange.report, self._exchange.by_columns.button)
         below = in_flow(self._message)
-        for button in (*offers, self._undo_button):
+        for button in (*offers, self._actions.undo_button):
             below.push(button)  # at the right, also while there is no message
-        self._bar.add_button(self._bin_button)
+        self._bar.add_button(self._deleted.button)
         folders = self._folder_bar
         for part in (folders.move_button, folders.menu_button, folders.choice):
             self._bar.add_before_search(part)
@@ -199,6 +199,7 @@ class LibraryPage(Page):
         self._bar.export_wanted.connect(self._export)
         self._bar.open_wanted.connect(self._open_chosen)
         self._bar.listen(self, self._table)
+        listen_for("library.undo", self, self._actions.undo_button.click)
         self._bar.search.textChanged.connect(self._on_search)
         self._folder_bar.shown_changed.connect(self._show_folder)
         self._folder_bar.said.connect(self._say)
@@ -281,8 +282,8 @@ class LibraryPage(Page):
         self.editors.show_folders({each.name: each.folder for each in listing.entries})
         self._shared_use.show_others(others)
         self._name_bar.look()
-        self._bin_button.refresh()
-        self._undo_button.show_step()
+        self._deleted.refresh()
+        self._actions.show_acts()
         if choose:
             self._uncover(names)
         self._estimates.start()
@@ -583,6 +584,8 @@ class LibraryPage(Page):
         self.set_title(self.tr("Trajectory library"))
         self._bar.retranslate()
         self._folder_bar.retranslate()
+        for part in self.act_parts():
+            part.show_acts()
         self._table.setAccessibleName(self.tr("Trajectory library"))
         self._model.retranslate()
         self._show_usable()

@@ -9,7 +9,7 @@ from pathlib import Path, PurePath
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
-from PySide6.QtWidgets import QLabel, QLineEdit, QPushButton, QSpinBox, QWidget
+from PySide6.QtWidgets import QLabel, QLineEdit, QSpinBox, QWidget
 
 from armui.cell.tools import NO_TOOL
 from armui.control.arm_controller import ArmController
@@ -24,6 +24,7 @@ from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.points.program import check_name
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.actions.act import Act, HasActs
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
@@ -33,7 +34,6 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
-from armui.ui.widgets.translated import Translated
 
 
 class TableImport(QThread):
@@ -441,8 +441,8 @@ class ColumnsPage(Page):
         return text
 
 
-class ColumnsOffer(Translated, QPushButton):
-    """A button that opens the page for one file after the other.
+class ColumnsOffer(HasActs, QObject):
+    """A button, while there are files, that opens the page for one after the other.
 
     Args:
         work: Reads the files; its library receives the imported content.
@@ -458,6 +458,7 @@ class ColumnsOffer(Translated, QPushButton):
     page_made = Signal(object)
     imported = Signal(str)
     refused = Signal(str)
+    button = Act("Import by columns…", named="library_by_columns", key="library.by_columns")
 
     def __init__(self, work: LibraryWork, controller: ArmController, owner: QWidget) -> None:
         super().__init__(owner)
@@ -466,11 +467,6 @@ class ColumnsOffer(Translated, QPushButton):
         self._opening = self._goes_on = False
         self._paths: list[Path] = []
         self._page: ColumnsPage | None = None
-        self.setObjectName("library_by_columns")
-        self.setAutoDefault(False)
-        self.hide()
-        self.clicked.connect(self.lead)
-        self.retranslate_ui()
 
     @property
     def paths(self) -> Sequence[Path]:
@@ -480,9 +476,9 @@ class ColumnsOffer(Translated, QPushButton):
     def show_for(self, paths: Sequence[Path]) -> None:
         """Offer exactly these files."""
         self._paths = list(paths)
-        self.setVisible(bool(paths))
-        self.retranslate_ui()
+        self.show_acts()
 
+    @button.pressed
     def lead(self) -> None:
         """Open the page for the next file; after its import, for the one after it."""
         if self._page is not None:
@@ -521,7 +517,10 @@ class ColumnsOffer(Translated, QPushButton):
         if goes_on:
             self.lead()
 
-    def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language."""
-        self.setText(self.tr("Import by columns…"))
-        self.setToolTip("\n".join(path.name for path in self._paths))
+    @button.there
+    def _has_files(self) -> bool:
+        return bool(self._paths)
+
+    @button.tip
+    def _tip(self) -> str:
+        return "\n".join(path.name for path in self._paths)
