@@ -58,10 +58,12 @@ class Judges:
     Attributes:
         fast: Tests of the module itself, which need nothing of ``tests/conftest.py``.
         slow: Tests of the whole program, for what the fast ones do not notice.
+        fixtures: The module with the fixtures of the fast ones, if they have any from elsewhere.
     """
 
     fast: tuple[str, ...] = ()
     slow: tuple[str, ...] = ()
+    fixtures: str = ""
 
 
 TESTS: dict[str, Judges] = {
@@ -79,6 +81,7 @@ TESTS: dict[str, Judges] = {
     "armui/bus/outbox.py": Judges(
         ("tests/bus/test_outbox*", "tests/bus/test_sending.py"),
         ("tests/bus/test_worker.py", "tests/safety/test_s03*", "tests/safety/test_s17*"),
+        fixtures="tests.bus.conftest",
     ),
     "armui/control/safety/emergency_stop.py": Judges(
         ("tests/control/test_emergency_stop.py",),
@@ -226,7 +229,8 @@ def examine(module: str, chosen: Callable[[int, Mutant], bool], *, fast_only: bo
     """Run all mutants of a module; tells the survivors and returns how many there are."""
     source = (ROOT / module).read_text(encoding="utf-8")
     judges = TESTS[module]
-    rounds: list[tuple[list[str], tuple[str, ...]]] = [(_files(judges.fast), ("--noconftest",))]
+    alone = ("--noconftest", *(("-p", judges.fixtures) if judges.fixtures else ()))
+    rounds: list[tuple[list[str], tuple[str, ...]]] = [(_files(judges.fast), alone)]
     if not fast_only:
         rounds.append((_files(judges.slow), ()))
     with tempfile.TemporaryDirectory() as name:

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.other_hosts import FrameSeries, OtherHosts, OtherTraffic
+from armui.arm.other_hosts import (
+    MOTION_IDS,
+    FrameSeries,
+    OtherHosts,
+    OtherTraffic,
+    is_arms_answer,
+)
 from armui.protocol.addressing import OFFSETS
 
 BEGIN_S = 0.25
@@ -220,3 +226,62 @@ def test_one_slow_frame_among_them_is_a_programs(hosts):
 def test_single_frames_lead_nothing(hosts):
     stream(hosts, LEADER, 1)
     assert not hosts.traffic().leads(OWN)
+
+
+# Two sources of one bus ---------------------------------------------------------------------------
+
+
+def one_series(count, since_s, last_s, data=b"", arbitration_id=0x155):
+    return FrameSeries(arbitration_id, count, since_s, last_s, data)
+
+
+EARLIER = one_series(4, 1.0, 3.0, b"earlier")
+
+
+@pytest.mark.parametrize(
+    ("later", "both"),
+    [
+        (one_series(3, 2.0, 4.0, b"later"), one_series(7, 1.0, 4.0, b"later")),
+        (one_series(3, 0.5, 4.0, b"later"), one_series(7, 0.5, 4.0, b"later")),
+        (one_series(3, 5.0, 6.0, b"later"), one_series(7, 1.0, 6.0, b"later")),
+        (one_series(3, 5.25, 6.0, b"later"), one_series(3, 5.25, 6.0, b"later")),
+    ],
+    ids=["overlapping", "around it", "within two seconds", "after a longer pause"],
+)
+def test_what_two_heard_of_one_identifier_is_one_series(later, both):
+    assert EARLIER.joined(later) == both
+    assert later.joined(EARLIER) == both
+
+
+def test_of_two_that_ended_at_once_the_one_asked_last_tells_the_payload():
+    assert EARLIER.joined(one_series(1, 3.0, 3.0, b"same")).data == b"same"
+
+
+def test_what_two_heard_is_the_traffic_of_both():
+    modes = one_series(2, 1.0, 2.0, arbitration_id=0x151)
+    first = OtherTraffic({0x155: EARLIER})
+    second = OtherTraffic({0x155: one_series(3, 2.0, 4.0), 0x151: modes})
+    both = {0x155: one_series(7, 1.0, 4.0), 0x151: modes}
+    assert dict(first.joined(second).series) == both
+    assert first.joined(OtherTraffic()) is first
+    assert dict(first.series) == {0x155: EARLIER}
+
+
+@pytest.mark.parametrize(
+    ("arbitration_id", "data", "answers"),
+    [
+        (0x181, b"\x61", True),
+        (0x187, b"\x61\x00\x01", True),
+        (0x181, b"\x60", False),
+        (0x181, b"\x62", False),
+        (0x181, b"", False),
+        (0x181, b"\x00\x61", False),
+        (0x188, b"\x61", False),
+        (0x155, b"\x61", False),
+    ],
+)
+def test_the_arms_own_answer_in_cpv_mode_is_no_command(hosts, arbitration_id, data, answers):
+    assert is_arms_answer(arbitration_id, data) is answers
+    hosts.note(arbitration_id, data, BEGIN_S)
+    known = arbitration_id in MOTION_IDS and not answers
+    assert (arbitration_id in hosts.traffic().series) is known
