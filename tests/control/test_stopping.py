@@ -13,6 +13,7 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST, NOT_CONNECTED, OFFLINE, LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operating_state import StopState
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.stopping import (
     HALT_AT_REST,
     HALT_LISTEN_ONLY,
@@ -76,6 +77,7 @@ class Console:
         happened: What was sent, told and ended, in order.
         params: The figures of the newest notice.
         named: Those of all notices.
+        records: The records of commands that were told, in order.
     """
 
     def __init__(self) -> None:
@@ -83,6 +85,7 @@ class Console:
         self.happened: list[str | Notice] = []
         self.params: dict[str, Any] = {}
         self.named: list[Any] = []
+        self.records: list[Started] = []
         self.connection = Connection(self.happened)
         self.stopping = Stopping(
             cast("Any", self.connection),
@@ -91,8 +94,10 @@ class Console:
             lambda: self.happened.append("all ended"),
         )
 
-    def _tell(self, notice, _started=None, /, **params) -> None:
+    def _tell(self, notice, started=None, /, **params) -> None:
         self.happened.append(notice)
+        if started is not None and started not in self.records:
+            self.records.append(started)
         self.params = params
         self.named.extend(params.values())
 
@@ -397,3 +402,48 @@ def test_what_ends_the_following_of_a_halt(console, what):
 def test_a_rest_nobody_asked_for_is_not_told(console):
     console.advance(still=True)
     assert console.take() == []
+
+
+# What is kept of both -----------------------------------------------------------------------------
+
+
+def at_rest(console):
+    console.advance(still=True)
+
+
+def never_at_rest(console):
+    console.advance(seconds=1.25)
+    assert endings(console) == [None]
+    console.advance(seconds=0.1)
+
+
+def endings(console):
+    return [record.ending for record in console.records]
+
+
+@pytest.mark.parametrize(
+    ("then", "ending"), [(at_rest, Ending.DONE), (never_at_rest, Ending.FAILED)]
+)
+def test_the_record_of_a_halt_says_whether_the_arm_came_to_rest(console, then, ending):
+    halt(console)
+    assert [(each.operation, each.ending) for each in console.records] == [("halt", None)]
+    then(console)
+    assert endings(console) == [ending]
+
+
+def test_another_halt_or_stop_cuts_off_the_record_of_the_one_before(console):
+    halt(console)
+    halt(console)
+    assert endings(console) == [Ending.CUT_OFF, None]
+    console.stopping.stop()
+    console.stopping.stop()
+    assert [each.operation for each in console.records] == ["halt", "halt", "stop", "stop"]
+    assert endings(console)[2:] == [Ending.CUT_OFF, None]
+    console.advance(STOPPED)
+    assert endings(console)[3] is Ending.DONE
+
+
+def test_the_record_of_a_stop_without_a_device_says_that_it_failed(console):
+    console.connection.device = None
+    console.stopping.stop()
+    assert endings(console) == [Ending.FAILED]
