@@ -345,6 +345,27 @@ def test_what_the_program_does_and_knows_is_told(console):
     assert operating.control_certain is True
 
 
+@pytest.mark.parametrize("unheard", ["joints_deg", "pose"])
+def test_which_figures_are_known_is_told(console, unheard):
+    now_s = console.arm.now_s
+    console.changes["pose"] = tuple(Reading(each, now_s) for each in range(6))
+    operating = console.assess()
+    assert (operating.angles_known, operating.pose_known) == (True, True)
+    console.changes[unheard] = (None, *getattr(console.state, unheard)[1:])
+    operating = console.assess()
+    assert operating.angles_known is (unheard != "joints_deg")
+    assert operating.pose_known is (unheard != "pose")
+
+
+@pytest.mark.parametrize("happens", [disabled, running, held, None])
+def test_the_check_of_a_reference_drives_no_arm_that_is_at_something_else(console, happens):
+    if happens is not None:
+        happens(console)
+    operating = console.assess()
+    against = {disabled: NOT_ENABLED, running: RUN_UNDER_WAY, held: PLAN_PAUSED, None: None}
+    assert code(operating.reference.cannot_drive) == against[happens]
+
+
 def test_a_stop_is_not_lapsed_unless_it_is_said(console):
     assert console.assess().stop_lapsed is False
     assert console.assess().other_host is None
