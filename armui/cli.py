@@ -18,6 +18,7 @@ from armui.system.command_line import (
     add_language,
     has_display,
     list_names,
+    no_version,
     say,
     with_output,
 )
@@ -188,13 +189,7 @@ def _version(text: str) -> str:
     )
 
     if FirmwareVersion.parse(text) is None:
-        raise argparse.ArgumentTypeError(
-            say(
-                "{text!r} is no firmware version; write it as {example}",
-                text=text,
-                example=RECOMMENDED,
-            )
-        )
+        raise no_version(text, RECOMMENDED)
     return text
 
 

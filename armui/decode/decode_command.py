@@ -28,7 +28,14 @@ from armui.session.frames import NOT_OF_THE_ARM, NotALogError
 from armui.session.gripper_jumps import GRIPPER, GripperJumps
 from armui.session.log_model import detect_generation, feed
 from armui.session.reader import SUFFIXES, LogFile
-from armui.system.command_line import add_language, say, say_sentence, write_out
+from armui.system.command_line import (
+    add_generation,
+    add_language,
+    no_version,
+    say,
+    say_sentence,
+    write_out,
+)
 from armui.system.files import error_text
 from armui.system.sentence import Told
 
@@ -94,12 +101,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="log: .log (candump), .csv (python-can, SavvyCAN, ZLG) and whatever else python-can "
         f"reads ({', '.join(SUFFIXES)}), also with .gz; - is the standard input",
     )
-    parser.add_argument(
-        "--generation",
-        choices=("1", "2", "auto"),
-        default="auto",
-        help="protocol of the recorded arm; auto looks for evidence in the log (default)",
-    )
+    add_generation(parser)
     parser.add_argument(
         "--firmware", type=_version, metavar=str(RECOMMENDED),
         help="the arm's firmware, which says how its MIT frames are laid out, where the log does "
@@ -132,13 +134,7 @@ def run(options: argparse.Namespace) -> int:
 def _version(text: str) -> FirmwareVersion:
     version = FirmwareVersion.parse(text)
     if version is None:
-        raise argparse.ArgumentTypeError(
-            say(
-                "{text!r} is no firmware version; write it as {example}",
-                text=text,
-                example=RECOMMENDED,
-            )
-        )
+        raise no_version(text, RECOMMENDED)
     return version
 
 

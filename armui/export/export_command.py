@@ -26,7 +26,15 @@ from armui.session.exports.request import (
     default_target,
 )
 from armui.session.reader import SUFFIXES
-from armui.system.command_line import add_language, detach_output, say, say_sentence, write_out
+from armui.system.command_line import (
+    add_generation,
+    add_language,
+    detach_output,
+    no_version,
+    say,
+    say_sentence,
+    write_out,
+)
 from armui.system.files import NO_STANDARD_INPUT, is_standard_input
 from armui.system.sentence import Told
 
@@ -227,12 +235,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--to-time", dest="end", type=_seconds, default=math.inf, metavar="S",
         help="up to there, likewise",
     )  # fmt: skip
-    parser.add_argument(
-        "--generation",
-        choices=("1", "2", "auto"),
-        default="auto",
-        help="protocol of the recorded arm; auto looks for evidence in the log (default)",
-    )
+    add_generation(parser)
     parser.add_argument(
         "--firmware", type=_version, metavar="S-V1.8-5",
         help="the arm's firmware, which says where its joints have their zeros (default: what the "
@@ -415,11 +418,5 @@ def _rate(text: str) -> int:
 
 def _version(text: str) -> str:
     if not re.fullmatch(r"S-V\d+\.\d+-\d+", text):
-        raise argparse.ArgumentTypeError(
-            say(
-                "{text!r} is no firmware version; write it as {example}",
-                text=text,
-                example="S-V1.8-5",
-            )
-        )
+        raise no_version(text, "S-V1.8-5")
     return text

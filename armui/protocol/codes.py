@@ -68,6 +68,17 @@ class ArmStatusCode(enum.IntEnum):
     BRAKE_RESISTOR_TOO_HOT = 0x0F  # generation 2
 
 
+AT_WORK: Final = frozenset(
+    {
+        ArmStatusCode.NORMAL,
+        ArmStatusCode.TEACHING_RECORDING,
+        ArmStatusCode.TEACHING_RUNNING,
+        ArmStatusCode.TEACHING_PAUSED,
+    }
+)
+"""The statuses that are no fault."""
+
+
 class MoveMode(enum.IntEnum):
     """The kind of motion: 0x151 byte 1 and 0x2A1 byte 2."""
 

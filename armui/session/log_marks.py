@@ -9,7 +9,7 @@ import numpy as np
 
 from armui.protocol.addressing import OFFSETS, Addressing
 from armui.protocol.codec import Codec
-from armui.protocol.codes import ArmStatusCode, MotorAction, StopCommand
+from armui.protocol.codes import AT_WORK, ArmStatusCode, MotorAction, StopCommand
 from armui.protocol.frame import FrameFlag
 from armui.protocol.signal_columns import payload_words, signal_column
 from armui.session.gripper_jumps import GRIPPER, GripperJumps
@@ -32,15 +32,6 @@ SILENT_S: Final = 0.5
 _BURST_S: Final = 0.5
 """Commands of one kind that follow each other faster are one stream, marked at its beginning."""
 
-AT_WORK: Final = frozenset(
-    {
-        ArmStatusCode.NORMAL,
-        ArmStatusCode.TEACHING_RECORDING,
-        ArmStatusCode.TEACHING_RUNNING,
-        ArmStatusCode.TEACHING_PAUSED,
-    }
-)
-"""The statuses that are no fault."""
 _JOINT_FAULTS: Final = (
     "Undervoltage",
     "MotorOvertemperature",

@@ -256,6 +256,22 @@ def add_device(parser: argparse._ActionsContainer) -> None:
     parser.add_argument("--bitrate", type=int, help="bit/s, where the program sets it (1000000)")
 
 
+def no_version(text: str, example: object) -> argparse.ArgumentTypeError:
+    """Return the error that a text is no firmware version."""
+    said = say("{text!r} is no firmware version; write it as {example}", text=text, example=example)
+    return argparse.ArgumentTypeError(said)
+
+
+def add_generation(parser: argparse.ArgumentParser) -> None:
+    """Add the option for the protocol of a recorded arm."""
+    parser.add_argument(
+        "--generation",
+        choices=("1", "2", "auto"),
+        default="auto",
+        help="protocol of the recorded arm; auto looks for evidence in the log (default)",
+    )
+
+
 def add_language(parser: argparse._ActionsContainer, of_what: str) -> None:
     """Declares the option that chooses a language for this run, which `say` heeds."""
     parser.add_argument("--lang", choices=LANGUAGES, help=of_what)

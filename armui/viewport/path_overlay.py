@@ -193,26 +193,22 @@ class PathOverlay:
             return room_around(places, projection)
 
         def draw(on: QPainter) -> None:
-            self._draw(on, path, preview.current_row, projection, palette)
+            self._draw(on, preview, projection, palette)
 
         self._layer.paint(painter, key, room, draw)
 
     def _draw(
-        self,
-        painter: QPainter,
-        path: PathPicture,
-        current_row: int | None,
-        projection: Projection,
-        palette: ScenePalette,
+        self, painter: QPainter, preview: Preview, projection: Projection, palette: ScenePalette
     ) -> None:
+        path = preview.path
         font = QFont(painter.font())
         font.setPointSizeF(font.pointSizeF() * _SMALLER)
         painter.setFont(font)
         for tag in self._tags:
             color = palette.text
-            if tag.row in path.bad_rows:
+            if path is not None and tag.row in path.bad_rows:
                 color = palette.fault
-            elif tag.row == current_row:
+            elif tag.row == preview.current_row:
                 color = palette.current
             place = QPointF(tag.x_px + _TAG_OFFSET_PX[0], tag.y_px + _TAG_OFFSET_PX[1])
             paint_tag(painter, place, str(tag.row + 1), projection, color=color, palette=palette)

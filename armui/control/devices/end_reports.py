@@ -6,13 +6,13 @@ from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import GENERATION_UNKNOWN, Context
+from armui.control.context import GENERATION_UNKNOWN
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
-from armui.control.requests.pending import EndNotices, PendingTransaction
-from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
+from armui.control.requests.pending import AnsweredPart, EndNotices
+from armui.control.requests.transactions import ReadBack, Transaction
 from armui.protocol import commands
 from armui.protocol.codes import EndLoad, SettingIndex
 from armui.telemetry.events import EventKind, Level
@@ -77,22 +77,13 @@ def _why_in_use(now: OperatingState) -> Refusal | None:
     return LOAD_WHILE_MOVING() if now.moving else None
 
 
-class EndReports:
+class EndReports(AnsweredPart):
     """Tells the arm its load, and switches 0x481–0x486 until the frames themselves show it.
 
     Args:
         context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
     """
-
-    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
-        self._context = context
-        self._pending = PendingTransaction(context, transactions)
-
-    @property
-    def busy(self) -> bool:
-        """True while a command was sent and its end is not known."""
-        return self._pending.busy
 
     @operation("end_load.set", "Set the end load", why_no_load)
     def set_load(self, started: Started, load: EndLoad) -> None:

@@ -6,13 +6,12 @@ from typing import TYPE_CHECKING
 
 from armui.arm.figures import JointOrAll
 from armui.arm.refusal import Refusal
-from armui.control.context import Context
 from armui.control.events import Notice
 from armui.control.operating_state import BUSY, OperatingState
 from armui.control.operations.operation import operation
 from armui.control.operations.started import SETTING_UNANSWERED, Ending, Started
-from armui.control.requests.pending import EndNotices, PendingTransaction
-from armui.control.requests.transactions import Transaction, TransactionQueue
+from armui.control.requests.pending import AnsweredPart, EndNotices
+from armui.control.requests.transactions import Transaction
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.telemetry.events import EventKind, Level
@@ -44,7 +43,7 @@ def why_not_clear(now: OperatingState) -> Refusal | None:
     return now.unreachable or now.occupied
 
 
-class JointErrors:
+class JointErrors(AnsweredPart):
     """Clears errors one at a time, because the arm's answer does not name the joint.
 
     It moves nothing, so it may be done whenever the arm is online, stopped or not; only a run that
@@ -55,15 +54,6 @@ class JointErrors:
         context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
     """
-
-    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
-        self._context = context
-        self._pending = PendingTransaction(context, transactions)
-
-    @property
-    def busy(self) -> bool:
-        """True if an answer is awaited."""
-        return self._pending.busy
 
     @operation("joints.clear_error", "Clear errors of the drivers", why_not_clear)
     def clear(self, started: Started, joint: JointOrAll) -> Refusal | None:

@@ -12,7 +12,7 @@ from armui.control.link.link_state import LinkState, why_only_heard, why_unreach
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
-from armui.control.requests.pending import EndNotices, PendingTransaction
+from armui.control.requests.pending import AnsweredPart, EndNotices
 from armui.control.requests.transactions import Transaction, TransactionQueue
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS, Addressing
@@ -80,7 +80,7 @@ def _why_in_use(now: OperatingState) -> Refusal | None:
     return LINKAGE_WHILE_MOVING() if now.moving else None
 
 
-class LinkageControl(ControllerPart):
+class LinkageControl(AnsweredPart, ControllerPart):
     """Sets role and offsets, and tells the operator when the arm is heard under them.
 
     0x470 has no identifier of its own arm: every arm on the bus obeys it. It is answered by 0x476,
@@ -93,15 +93,9 @@ class LinkageControl(ControllerPart):
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
-        self._context = context
-        self._pending = PendingTransaction(context, transactions)
+        super().__init__(context, transactions)
         self._used = _NO_OFFSET
         self._was_known = True
-
-    @property
-    def busy(self) -> bool:
-        """True while a setting was sent and its end is not known."""
-        return self._pending.busy
 
     @operation(
         "linkage.set", "Set linkage role and ID offsets", why_not_link, consent=Consent.PRESS

@@ -236,3 +236,21 @@ def _end(context: Context, started: Started | None, ending: Ending, told: Report
         context.close(started, ending, notice, **figures)
     elif started is not None:
         started.close(ending)
+
+
+class AnsweredPart:
+    """A part that sends commands which are answered, one at a time.
+
+    Args:
+        context: The context that the controller's parts share.
+        transactions: Carries out commands that are answered.
+    """
+
+    def __init__(self, context: Context, transactions: TransactionQueue) -> None:
+        self._context = context
+        self._pending = PendingTransaction(context, transactions)
+
+    @property
+    def busy(self) -> bool:
+        """True while a command was sent and its end is not known."""
+        return self._pending.busy

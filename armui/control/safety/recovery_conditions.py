@@ -74,9 +74,14 @@ def when(condition: Callable[[RecoveryView], bool]) -> Applies:
     return lambda view: _NONE if condition(view) else None
 
 
+def when_now(condition: Callable[[OperatingState], bool]) -> Applies:
+    """Return the same for a condition on the operating state alone."""
+    return when(lambda view: condition(view.operating_state))
+
+
 def link_is(link: LinkState) -> Applies:
     """Return a check that applies in one state of the link."""
-    return when(lambda view: view.operating_state.link is link)
+    return when_now(lambda now: now.link is link)
 
 
 def is_deaf(view: RecoveryView) -> bool:
@@ -239,7 +244,7 @@ def held_back(hold: Hold) -> Applies:
 
 def run_is(*phases: RunPhase) -> Applies:
     """Return a check that applies while a run or a replay is in one of these phases."""
-    return when(lambda view: view.operating_state.run_phase in phases)
+    return when_now(lambda now: now.run_phase in phases)
 
 
 def otherwise_locked(view: RecoveryView) -> Params | None:

@@ -61,6 +61,7 @@ from armui.control.safety.recovery_conditions import (
     too_hot,
     unknown_status,
     when,
+    when_now,
     when_off,
     working,
 )
@@ -139,6 +140,11 @@ def _latched(kind: StepKind, applies: Applies) -> _Rule:
     return _Rule(kind, Level.FAULT, Action.CLEAR_ERRORS, applies, escalation=Action.RESET)
 
 
+def _reset(kind: StepKind, applies: Applies) -> _Rule:
+    """Return the rule of a fault that only a reset ends."""
+    return _Rule(kind, Level.FAULT, Action.RESET, applies)
+
+
 _RULES: Final = (
     _Rule(StepKind.STOP_LAPSED_AWAY, Level.FAULT, Action.CONNECT, when(stop_lapsed_away)),
     _Rule(StepKind.STOP_WAITS_FOR_DEVICE, Level.FAULT, Action.CONNECT, when(stop_waits)),
@@ -149,46 +155,31 @@ _RULES: Final = (
         StepKind.STOP_LAPSED,
         Level.FAULT,
         Action.WITHDRAW_STOP,
-        when(lambda view: view.operating_state.stop_lapsed),
+        when_now(lambda now: now.stop_lapsed),
     ),
     # An arm that is a teaching input obeys only the command that ends this role, neither stop nor
     # resume: so this step comes before theirs.
     _Rule(
         StepKind.TEACHING_INPUT, Level.WARNING, Action.LEAVE_TEACHING_INPUT, when(is_teaching_input)
     ),
-    _Rule(
-        StepKind.STOP_UNCONFIRMED,
-        Level.FAULT,
-        None,
-        when(lambda view: view.operating_state.stop_unconfirmed),
-    ),
+    _Rule(StepKind.STOP_UNCONFIRMED, Level.FAULT, None, when_now(lambda now: now.stop_unconfirmed)),
     _Rule(
         StepKind.STOP_REQUESTED,
         Level.WARNING,
         None,
-        when(lambda view: view.operating_state.stop is StopState.REQUESTED),
+        when_now(lambda now: now.stop is StopState.REQUESTED),
     ),
     _Rule(StepKind.DEAF, Level.FAULT, Action.CONNECT, when(is_deaf)),
     _Rule(StepKind.OFFLINE, Level.WARNING, Action.CONNECT, link_is(LinkState.OFFLINE)),
-    _Rule(
-        StepKind.LISTEN_ONLY,
-        Level.INFO,
-        Action.CONNECT,
-        when(lambda view: view.operating_state.listens_only),
-    ),
+    _Rule(StepKind.LISTEN_ONLY, Level.INFO, Action.CONNECT, when_now(lambda now: now.listens_only)),
     _Rule(StepKind.WORKING, Level.INFO, None, working),
     _Rule(
         StepKind.STOPPED,
         Level.WARNING,
         Action.RESUME,
-        when(lambda view: view.operating_state.stop is StopState.STOPPED),
+        when_now(lambda now: now.stop is StopState.STOPPED),
     ),
-    _Rule(
-        StepKind.HANDSHAKE,
-        Level.INFO,
-        None,
-        when(lambda view: view.operating_state.generation is None),
-    ),
+    _Rule(StepKind.HANDSHAKE, Level.INFO, None, when_now(lambda now: now.generation is None)),
     _Rule(StepKind.STATUS_UNKNOWN, Level.WARNING, Action.CONNECT, when(not_heard)),
     _Rule(
         StepKind.COMMUNICATION,
@@ -215,35 +206,18 @@ _RULES: Final = (
         None,
         joints_flagged(drivers(lambda each: each.undervoltage)),
     ),
-    _Rule(
-        StepKind.OVERTEMPERATURE,
-        Level.FAULT,
-        None,
-        too_hot,
-    ),
+    _Rule(StepKind.OVERTEMPERATURE, Level.FAULT, None, too_hot),
     _latched(StepKind.JOINT_STATUS, has_code(ArmStatusCode.JOINT_STATUS_ABNORMAL)),
-    _Rule(
-        StepKind.BRAKE_CLOSED, Level.FAULT, Action.RESET, has_code(ArmStatusCode.JOINT_BRAKE_CLOSED)
-    ),
-    _Rule(
-        StepKind.CONTROLLER_HOT,
-        Level.FAULT,
-        Action.RESET,
-        has_code(ArmStatusCode.MAIN_CONTROLLER_TOO_HOT),
-    ),
-    _Rule(
-        StepKind.RESISTOR_HOT,
-        Level.FAULT,
-        Action.RESET,
-        has_code(ArmStatusCode.BRAKE_RESISTOR_TOO_HOT),
-    ),
-    _Rule(StepKind.OTHER_FAULT, Level.FAULT, Action.RESET, has_code(ArmStatusCode.OTHER_FAULT)),
-    _Rule(StepKind.UNKNOWN_STATUS, Level.FAULT, Action.RESET, unknown_status),
+    _reset(StepKind.BRAKE_CLOSED, has_code(ArmStatusCode.JOINT_BRAKE_CLOSED)),
+    _reset(StepKind.CONTROLLER_HOT, has_code(ArmStatusCode.MAIN_CONTROLLER_TOO_HOT)),
+    _reset(StepKind.RESISTOR_HOT, has_code(ArmStatusCode.BRAKE_RESISTOR_TOO_HOT)),
+    _reset(StepKind.OTHER_FAULT, has_code(ArmStatusCode.OTHER_FAULT)),
+    _reset(StepKind.UNKNOWN_STATUS, unknown_status),
     _Rule(
         StepKind.CANCEL_UNHEEDED,
         Level.FAULT,
         Action.STOP,
-        when(lambda view: view.operating_state.cancel_unheeded),
+        when_now(lambda now: now.cancel_unheeded),
     ),
     _Rule(StepKind.RECORDING, Level.INFO, Action.STOP_RECORDING, in_phase(TeachingPhase.RECORDING)),
     _Rule(StepKind.REPLAYING, Level.INFO, Action.ABORT_REPLAY, in_phase(TeachingPhase.REPLAYING)),
@@ -309,7 +283,7 @@ _RULES: Final = (
         StepKind.REFERENCE_CHECK,
         Level.WARNING,
         Action.CHECK_REFERENCE,
-        when(lambda view: view.operating_state.reference.checking),
+        when_now(lambda now: now.reference.checking),
     ),
     # Connected as another model nothing is computed rightly; without power joints cannot be moved.
     _Rule(
@@ -369,7 +343,7 @@ _RULES: Final = (
         StepKind.LEFT_HELD_BACK,
         Level.WARNING,
         Action.GIVE_UP,
-        when(lambda view: view.operating_state.may_hold_another),
+        when_now(lambda now: now.may_hold_another),
     ),
     _Rule(StepKind.READY, Level.DONE, None, when(lambda _view: True)),
 )

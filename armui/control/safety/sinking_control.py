@@ -265,15 +265,7 @@ class SinkingControl(ControllerPart):
         self._told, self._told_s = motion, now_s
 
     def _announce(self, notice: Notice, motion: UncommandedMotion) -> None:
-        self._context.tell(
-            notice,
-            seconds=motion.seconds,
-            down=motion.down_mm,
-            joint=motion.joint,
-            turned=f"{motion.turned_deg:.1f}",
-            speed=motion.speed_mm_s,
-            below=motion.below,
-        )
+        self._context.tell(notice, **motion.figures())
 
 
 def _is_led(status: Status | None) -> bool:

@@ -71,6 +71,17 @@ class UncommandedMotion:
     speed_mm_s: int | None = 0
     below: str = ""
 
+    def figures(self) -> dict[str, object]:
+        """Return the figures of its sentences by name."""
+        return {
+            "down": self.down_mm,
+            "seconds": self.seconds,
+            "joint": self.joint,
+            "turned": f"{self.turned_deg:.1f}",
+            "speed": self.speed_mm_s,
+            "below": self.below,
+        }
+
     @property
     def is_danger(self) -> bool:
         """True if the operator is to be warned: it moves by no hand, or may be moving."""

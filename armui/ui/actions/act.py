@@ -34,7 +34,43 @@ _Key = TypeVar("_Key")
 _Method = TypeVar("_Method", bound=Callable[..., object])
 
 
-class Act:
+class _Marks:
+    """Marks the methods of a widget that belong to an act; those of a family get the key."""
+
+    def mark(self, what: str, method: _Method) -> _Method:
+        """Mark a method under the name of what it is for."""
+        raise NotImplementedError
+
+    def pressed(self, method: _Method) -> _Method:
+        """Mark the method that is called when it is pressed, or was held."""
+        return self.mark("pressed", method)
+
+    def why_not(self, method: _Method) -> _Method:
+        """Mark the method that returns why it cannot be pressed: a refusal, words, or nothing."""
+        return self.mark("why_not", method)
+
+    def text(self, method: _Method) -> _Method:
+        """Mark the method that returns its text, where that changes."""
+        return self.mark("text", method)
+
+    def tip(self, method: _Method) -> _Method:
+        """Mark the method that returns its purpose, where that changes."""
+        return self.mark("tip", method)
+
+    def whose(self, method: _Method) -> _Method:
+        """Mark the method that returns what it belongs to, where that is not the heading."""
+        return self.mark("whose", method)
+
+    def lit(self, method: _Method) -> _Method:
+        """Mark the method that returns true while it is the main button, if it can be pressed."""
+        return self.mark("lit", method)
+
+    def there(self, method: _Method) -> _Method:
+        """Mark the method that returns true while it is seen at all, where it comes and goes."""
+        return self.mark("there", method)
+
+
+class Act(_Marks):
     """A button, with all that belongs to it: what it does, its reason, its texts, its command.
 
     It is written on the class of the widget that shows it, and is the button when it is read from
@@ -128,35 +164,8 @@ class Act:
         """Become a member of a family: share its methods, which are called with the key."""
         self._methods, self._member = methods, (key,)
 
-    def pressed(self, method: _Method) -> _Method:
-        """Mark the method that is called when it is pressed, or was held."""
-        return self._marked("pressed", method)
-
-    def why_not(self, method: _Method) -> _Method:
-        """Mark the method that returns why it cannot be pressed: a refusal, words, or nothing."""
-        return self._marked("why_not", method)
-
-    def text(self, method: _Method) -> _Method:
-        """Mark the method that returns its text, where that changes."""
-        return self._marked("text", method)
-
-    def tip(self, method: _Method) -> _Method:
-        """Mark the method that returns its purpose, where that changes."""
-        return self._marked("tip", method)
-
-    def whose(self, method: _Method) -> _Method:
-        """Mark the method that returns what it belongs to, where that is not the heading."""
-        return self._marked("whose", method)
-
-    def lit(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is the main button, if it can be pressed."""
-        return self._marked("lit", method)
-
-    def there(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is seen at all, where it comes and goes."""
-        return self._marked("there", method)
-
-    def _marked(self, what: str, method: _Method) -> _Method:
+    def mark(self, what: str, method: _Method) -> _Method:
+        """Mark a method under the name of what it is for."""
         self._methods[what] = method.__name__
         return method
 
@@ -269,7 +278,7 @@ class Act:
         return source if isinstance(source, Text) else Text(self._context, source)
 
 
-class ActFamily(Generic[_Key]):
+class ActFamily(_Marks, Generic[_Key]):
     """Buttons that differ in a key, as in the command they send: one declaration for all.
 
     It is read from an instance as the buttons by their keys; the methods that it marks are called
@@ -290,29 +299,9 @@ class ActFamily(Generic[_Key]):
         for act in self.acts.values():
             act.declared_in(owner.__name__)
 
-    def pressed(self, method: _Method) -> _Method:
-        """Mark the method that is called with the key when one is pressed."""
-        return self._any.pressed(method)
-
-    def why_not(self, method: _Method) -> _Method:
-        """Mark the method that returns from the key why one cannot be pressed."""
-        return self._any.why_not(method)
-
-    def text(self, method: _Method) -> _Method:
-        """Mark the method that returns the text from the key."""
-        return self._any.text(method)
-
-    def tip(self, method: _Method) -> _Method:
-        """Mark the method that returns the purpose from the key."""
-        return self._any.tip(method)
-
-    def whose(self, method: _Method) -> _Method:
-        """Mark the method that returns from the key what one belongs to."""
-        return self._any.whose(method)
-
-    def lit(self, method: _Method) -> _Method:
-        """Mark the method that returns from the key if one is highlighted."""
-        return self._any.lit(method)
+    def mark(self, what: str, method: _Method) -> _Method:
+        """Mark a method for all members."""
+        return self._any.mark(what, method)
 
     @overload
     def __get__(self, owner: None, kind: type) -> ActFamily[_Key]: ...

@@ -17,7 +17,7 @@ from armui.control.events import Event, Level
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.control.safety.uncommanded_motion import UncommandedMotion
-from armui.protocol.codes import ArmStatusCode, TeachingState
+from armui.protocol.codes import AT_WORK, ArmStatusCode, TeachingState
 from armui.system.failures import Failure
 from armui.telemetry.events import EventKind
 from armui.ui import format as fmt
@@ -40,14 +40,6 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-_NO_FAULT: Final = frozenset(
-    {
-        ArmStatusCode.NORMAL,
-        ArmStatusCode.TEACHING_RECORDING,
-        ArmStatusCode.TEACHING_RUNNING,
-        ArmStatusCode.TEACHING_PAUSED,
-    }
-)
 _WARNINGS: Final = frozenset(
     {
         ArmStatusCode.NO_SOLUTION,
@@ -414,7 +406,7 @@ class StatusBar(Translated, QWidget):
             return "fault"
         if status.arm_status in _WARNINGS:
             return "warning"
-        if status.arm_status not in _NO_FAULT:
+        if status.arm_status not in AT_WORK:
             return "fault"
         return "warning" if any(status.limit_exceeded) else None
 

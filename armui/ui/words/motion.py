@@ -92,12 +92,5 @@ def _sentence_of(motion: UncommandedMotion) -> str:
 def _figures(motion: UncommandedMotion) -> dict[str, object]:
     long = motion.seconds >= _MINUTE_S
     count = motion.seconds // _MINUTE_S if long else motion.seconds
-    return {
-        "down": motion.down_mm,
-        "seconds": motion.seconds,
-        "joint": motion.joint,
-        "turned": f"{motion.turned_deg:.1f}",
-        "speed": motion.speed_mm_s,
-        "below": what_is_below(motion.below),
-        "ago": _AGO.text("min" if long else "s", {"count": count}),
-    }
+    ago = _AGO.text("min" if long else "s", {"count": count})
+    return motion.figures() | {"below": what_is_below(motion.below), "ago": ago}

@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from armui.arm.limits import JOINTS
+from armui.protocol.codes import AT_WORK
 from armui.protocol.signal_columns import bit_mask
 from armui.session.exports.ros.cdr import CdrWriter
 from armui.session.exports.ros.streams import TimedMessages, nanoseconds
-from armui.session.log_marks import AT_WORK
 from armui.telemetry.quantities import DRIVER_FAULTS, GRIPPER_FAULTS
 
 if TYPE_CHECKING:

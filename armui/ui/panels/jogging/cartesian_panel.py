@@ -273,8 +273,7 @@ class CartesianPanel(JogPanel):
         self._follow_rows()
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
-        self._arc.start_wanted.connect(self._on_go_to_start)
-        self._arc.send_wanted.connect(self._on_send_arc)
+        self._arc.answered.connect(self._accepted)
         self._shown_frame.activated.connect(self._on_frame_chosen)
 
     def act_parts(self) -> Iterable[HasActs]:
@@ -438,14 +437,6 @@ class CartesianPanel(JogPanel):
         else:
             self._arc.take(place, pose)
             self._accepted(None)
-
-    def _on_go_to_start(self) -> None:
-        if (start := self._arc.poses[0]) is not None:
-            self._accepted(self._controller.cartesian.move(start, MoveMode.MOVE_P))
-
-    def _on_send_arc(self) -> None:
-        points = [pose for pose in self._arc.poses if pose is not None]
-        self._accepted(self._controller.cartesian.move_arc(*points))
 
     def typed(self) -> tuple[float, ...] | None:
         """Return the typed target; a sent one stays in the fields until the arm is there."""

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from armui.arm.refusal import Reason, Refusal
 from armui.control.motion.cartesian import Cartesian
 from armui.kinematics.axes import AXES, LINEAR_AXES
+from armui.protocol.codes import MoveMode
 from armui.ui import format as fmt
 from armui.ui.actions.act import Act, ActFamily, HasActs
 from armui.ui.actions.command import with_pose
@@ -123,9 +124,8 @@ class ArcBox(HasActs, Translated, QWidget):
 
     capture_wanted = Signal(int)
     """Emitted to capture a pose from the arm, with its index 0–2."""
-    start_wanted = Signal()
-    """Emitted to move to the start of the arc."""
-    send_wanted = Signal()
+    answered = Signal(object)
+    """Emitted with the answer to a motion to the start, or along the arc."""
 
     captures = ActFamily(
         {
@@ -199,11 +199,13 @@ class ArcBox(HasActs, Translated, QWidget):
 
     @go_to_start.pressed
     def _on_go_to_start(self) -> None:
-        self.start_wanted.emit()
+        if (start := self.poses[0]) is not None:
+            self.answered.emit(self._controller.cartesian.move(start, MoveMode.MOVE_P))
 
     @send.pressed
     def _on_send(self) -> None:
-        self.send_wanted.emit()
+        points = [pose for pose in self.poses if pose is not None]
+        self.answered.emit(self._controller.cartesian.move_arc(*points))
 
     def take(self, place: int, pose: Pose) -> None:
         """Set a captured pose."""
