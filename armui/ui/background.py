@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
@@ -19,6 +19,30 @@ WORK_FAILED = Reason("work_failed", "The program could not finish this: {text}. 
 Result = TypeVar("Result")
 Then = Callable[[Any], object]
 """Receives the result of work, or a `Refusal`; see :class:`Job`."""
+
+
+Steps = Generator[Callable[[Then], object], Any, None]
+"""Long work as one function: it yields what begins a piece of it, and goes on with the result."""
+
+
+def in_order(steps: Steps, goes_on: Callable[[], bool]) -> None:
+    """Run long work step by step: each step begins with what the one before has yielded.
+
+    Args:
+        steps: The work: ``result = yield begin``, where ``begin`` gets what receives the result.
+        goes_on: Returns false once it is not wanted any more; then it ends where it waits.
+    """
+
+    def go_on(result: object = None) -> None:
+        if not goes_on():
+            return
+        try:
+            begin = steps.send(result)
+        except StopIteration:
+            return
+        begin(go_on)
+
+    go_on()
 
 
 @dataclass(slots=True, eq=False)

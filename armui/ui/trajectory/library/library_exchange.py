@@ -31,7 +31,7 @@ from armui.trajectory.points.program import OF_FLANGE, PosesOf
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
-from armui.ui.background import Job
+from armui.ui.background import Job, Steps, in_order
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.trajectory.library.library_work import LibraryWork
@@ -298,7 +298,6 @@ class LibraryExchange(HasActs, QObject):
         self._checks = checks
         self._background = checks.background
         self._to_check: Sequence[str] = ()
-        self._beyond: tuple[tuple[str, Finding], ...] = ()
         self._work = work
         self._library = work.library
         self._window = window
@@ -390,39 +389,24 @@ class LibraryExchange(HasActs, QObject):
 
     def _tell_checked(self, told: Callable[[], str], names: Sequence[str], level: Level) -> None:
         """Say what was imported, and once it is checked, what of it this arm cannot do."""
-        self._beyond = ()
         self.said.emit(told, level)
-        self._to_check = names
-        if names:
-            self._check_next(told, level)
+        self._to_check = names  # until something else is said
+        in_order(self._check(names, told), lambda: isValid(self) and self._to_check is names)
 
-    def _check_next(self, told: Callable[[], str], level: Level) -> None:
-        names = self._to_check
-
-        def is_over() -> bool:
-            return not isValid(self) or self._to_check is not names
-
-        def on_read(content: Content) -> None:
-            if not is_over():
-                self._checks.begin(content, RunOptions(), on_checked)
-
-        def on_checked(checked: Preflight | Refusal) -> None:
-            if is_over():
-                return
+    def _check(self, names: Sequence[str], told: Callable[[], str]) -> Steps:
+        beyond: list[tuple[str, Finding]] = []
+        # one after another: what the operator asks for meanwhile waits for one of them at most
+        for name in names:
+            content = yield partial(self._work.do, partial(self._library.load, name))
+            checked = yield partial(self._checks.begin, content, RunOptions())
             if not isinstance(checked, Refusal):
                 self.checked.emit(checked)
-                self._beyond += tuple(_beyond(checked))
-            self._to_check = names[1:]
-            if self._to_check:
-                self._check_next(told, level)
-            elif self._beyond:
-                offers = self.by_columns.paths, self._results
-                self.said.emit(partial(self._tell_beyond, told, self._beyond), Level.WARNING)
-                self.by_columns.show_for(offers[0])
-                self._offer_report(offers[1])
-
-        # one after another: what the operator asks for meanwhile waits for one of them at most
-        self._work.do(lambda: self._library.load(names[0]), on_read, lambda _text: None)
+                beyond += _beyond(checked)
+        if beyond:
+            paths, results = self.by_columns.paths, self._results
+            self.said.emit(partial(self._tell_beyond, told, beyond), Level.WARNING)
+            self.by_columns.show_for(paths)
+            self._offer_report(results)
 
     def _tell_beyond(self, told: Callable[[], str], beyond: Sequence[tuple[str, Finding]]) -> str:
         text = self.tr("The arm cannot run “{name}”, row {row}: {reason}")
