@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
@@ -44,6 +45,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.trajectory.editor.document import Document
 from armui.ui.widgets.table_model import LEFT, RIGHT, Index, TableModel
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from armui.cell.cell import Cell
@@ -55,8 +57,41 @@ ToMove = Callable[[int, MoveMode], Waypoint | Refusal]
 
 POSES: Final = frozenset({*VALUES, PointColumn.MIDDLE})
 """The columns whose figures may be those of a tool."""
-_FIGURES: Final = frozenset({*VALUES, PointColumn.SPEED, PointColumn.DWELL})
 _COLUMNS: Final = tuple(PointColumn)
+
+
+@dataclass(frozen=True, slots=True)
+class ColumnLook:
+    """How a column looks.
+
+    Attributes:
+        title: Its title; that of the figures says what they are for either kind of motion.
+        width_px: As wide as title and usual figures, so that every column is in sight beside the
+            picture.
+        most_px: How wide it becomes by itself, for what stands in it; 0 for no wider.
+        figures: True for figures, which are aligned to the right.
+    """
+
+    title: Text
+    width_px: int
+    most_px: int = 0
+    figures: bool = False
+
+
+_AXES: Final = ("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm", "J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °")
+LOOKS: Final[Mapping[PointColumn, ColumnLook]] = {
+    PointColumn.MOVE: ColumnLook(Text("PointsModel", "Motion\n({point})"), 62, 170),
+    **{
+        PointColumn(place): ColumnLook(Text("", axis), 56, 84, figures=True)
+        for place, axis in zip(VALUES, _AXES, strict=True)
+    },
+    PointColumn.MIDDLE: ColumnLook(Text("PointsModel", "Middle\npose"), 90, 170),
+    PointColumn.SPEED: ColumnLook(Text("PointsModel", "Speed"), 50, 64, figures=True),
+    PointColumn.DWELL: ColumnLook(Text("PointsModel", "Dwell"), 46, 84, figures=True),
+    PointColumn.GRIPPER: ColumnLook(Text("PointsModel", "Gripper"), 58, 220),
+    PointColumn.LIGHT: ColumnLook(Text("PointsModel", "Light"), 44, 110),
+    PointColumn.NOTE: ColumnLook(Text("PointsModel", "Note"), 44),
+}
 
 _FIXED: Final = (
     Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsDragEnabled
@@ -122,7 +157,7 @@ class PointsModel(TableModel):
             return None
         column = _COLUMNS[index.column()]
         if role == _ALIGNED:
-            return RIGHT if column in _FIGURES else LEFT
+            return RIGHT if LOOKS[column].figures else LEFT
         point = self._points[index.row()]
         if column in POSES:
             point = self.tool.shown(point)
@@ -194,17 +229,7 @@ class PointsModel(TableModel):
         """Return the titles of :class:`PointColumn`."""
         name = fmt.short(self._tool_name) or self.tr("tool")
         point = self.tr("flange") if self.tool.is_flange else name
-        return (
-            self.tr("Motion\n({point})").format(point=point),
-            *("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm"),
-            *("J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °"),
-            self.tr("Middle\npose"),
-            self.tr("Speed"),
-            self.tr("Dwell"),
-            self.tr("Gripper"),
-            self.tr("Light"),
-            self.tr("Note"),
-        )
+        return [look.title.text().format(point=point) for look in LOOKS.values()]
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell."""

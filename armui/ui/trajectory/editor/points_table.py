@@ -25,11 +25,11 @@ from PySide6.QtWidgets import (
 )
 
 from armui.arm.refusal import Refusal
-from armui.trajectory.points.cells import VALUES, PointColumn
+from armui.trajectory.points.cells import PointColumn
 from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.editor.point_delegate import CellEditor, PointDelegate, TextEditor
-from armui.ui.trajectory.editor.points_model import POSES, PointsModel
+from armui.ui.trajectory.editor.points_model import LOOKS, POSES, PointsModel
 from armui.ui.widgets.table_model import chosen_rows, rows_hint
 
 _ROW_PX: Final = 32
@@ -39,27 +39,6 @@ _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 _NOTE_PX: Final = 360
 _BAR_PX: Final = 3
-_WIDTHS_PX: Final = {
-    PointColumn.MOVE: 62,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 56),
-    PointColumn.MIDDLE: 90,
-    PointColumn.SPEED: 50,
-    PointColumn.DWELL: 46,
-    PointColumn.GRIPPER: 58,
-    PointColumn.LIGHT: 44,
-    PointColumn.NOTE: 44,
-}
-"""As wide as titles and usual figures, so that every column is in sight beside the picture."""
-_MOST_PX: Final = {
-    PointColumn.MOVE: 170,
-    **dict.fromkeys((PointColumn(place) for place in VALUES), 84),
-    PointColumn.MIDDLE: 170,
-    PointColumn.SPEED: 64,
-    PointColumn.DWELL: 84,
-    PointColumn.GRIPPER: 220,
-    PointColumn.LIGHT: 110,
-}
-"""How wide columns become by themselves, for what stands in them."""
 _ELIDED_PX: Final = 51
 """The least width of a middle pose where there is no room for all columns; a tooltip has it."""
 
@@ -126,8 +105,8 @@ class PointsTable(QTableView):
         across.setSelectionModel(QItemSelectionModel(self.points, across))
         across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
-        for column, width_px in _WIDTHS_PX.items():
-            self.setColumnWidth(column, width_px)
+        for column, look in LOOKS.items():
+            self.setColumnWidth(column, look.width_px)
 
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
@@ -143,7 +122,9 @@ class PointsTable(QTableView):
     def _columns_px(self) -> int:
         """The width of all columns, with the middle poses whole."""
         others = set(PointColumn) - {PointColumn.MIDDLE, PointColumn.NOTE}
-        return sum(map(self.columnWidth, others), self._middle_px + _WIDTHS_PX[PointColumn.NOTE])
+        return sum(
+            map(self.columnWidth, others), self._middle_px + LOOKS[PointColumn.NOTE].width_px
+        )
 
     def _fit_middle(self) -> None:
         """Shorten the middle poses where other columns would be scrolled out of sight."""
@@ -169,14 +150,16 @@ class PointsTable(QTableView):
 
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
-        self._middle_px = _WIDTHS_PX[PointColumn.MIDDLE] if wanted else 0
+        self._middle_px = LOOKS[PointColumn.MIDDLE].width_px if wanted else 0
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
     def make_room(self) -> None:
         """Widen columns for what stands in them."""
-        for column, most_px in _MOST_PX.items():
-            wanted_px = min(self.sizeHintForColumn(column), most_px)
+        for column, look in LOOKS.items():
+            if not look.most_px:
+                continue
+            wanted_px = min(self.sizeHintForColumn(column), look.most_px)
             if column is PointColumn.MIDDLE:
                 self._middle_px = self._middle_px and max(self._middle_px, wanted_px)
             elif wanted_px > self.columnWidth(column):
