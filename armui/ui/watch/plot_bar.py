@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtWidgets import QWidget
 
 from armui.ui.watch.plot_layout import SETS
@@ -40,11 +40,9 @@ class PlotBar(Translated, QWidget):
     Args:
         board: The board.
 
-    Signals:
-        save_wanted: One of `SAVES`.
+    Attributes:
+        save: The button that saves as one of `SAVES`.
     """
-
-    save_wanted = Signal(str)
 
     def __init__(self, board: PlotBoard, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,8 +53,6 @@ class PlotBar(Translated, QWidget):
         self.undo = bar_button("plot_undo")
         self.cursors = bar_button("plot_cursors", toggles=True)
         self.save = SaveButton("plot", SAVES)
-        self.save.wanted.connect(self.save_wanted)
-        self.saves = self.save.saves
         left = (self.sets, self.spans, self.pause, self.undo, self.cursors)
         in_flow(*left, on=self, spacing_px=8).push(self.save)
         self.sets.activated.connect(self._on_set)

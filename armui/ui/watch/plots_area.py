@@ -74,7 +74,7 @@ class PlotsArea(QWidget):
         self.quantities.wanted.connect(lambda keys: self.board.take(keys, None, self.board.chosen))
         self.board.refused.connect(self._on_refused)
         self.board.menu_wanted.connect(self._open_menu)
-        self.bar.save_wanted.connect(self._on_save)
+        self.bar.save.wanted.connect(self._on_save)
         self.export.said.connect(self.say)
         # beside the plots the same key is for what is edited there
         listen_for("plots.undo", self, self.bar.undo.click)
@@ -177,8 +177,7 @@ class PlotPage(Page):
             "plots.pause": self.bar.pause,
             "plots.undo": self.bar.undo,
             "plots.cursors": self.bar.cursors,
-            "plots.save": self.bar.save,
-            **{f"plots.{kind}": action for kind, action in self.bar.saves.items()},
+            **self.bar.save.targets("plots"),
         }
 
     # What others ask for ----------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QToolButton
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from armui.ui.widgets.buttons import give_menu
 from armui.ui.widgets.translated import Translated
@@ -40,6 +40,14 @@ class SaveButton(Translated, QToolButton):
             menu.addAction(action)
         give_menu(self, menu)
         self.retranslate_ui()
+
+    def targets(self, place: str) -> dict[str, QWidget | QAction]:
+        """Return the target of each command of a page that has this button, by its name.
+
+        Args:
+            place: The key of the page.
+        """
+        return {f"{place}.save": self, **{f"{place}.{name}": it for name, it in self.saves.items()}}
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

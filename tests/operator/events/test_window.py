@@ -215,12 +215,12 @@ def test_rows_are_copied(events):
 
 def test_all_that_is_shown_is_copied(events):
     events.search("stop")
-    events.bar.saves["copy"].trigger()
+    events.bar.save.saves["copy"].trigger()
     assert len(QApplication.clipboard().text().splitlines()) == 1 + events.model.rowCount()
 
 
 def save(events, kind, path):
-    events.bar.saves[kind].trigger()
+    events.bar.save.saves[kind].trigger()
     dialog = events.driver.dialog(FileDialog)
     assert dialog.selectedFiles()[0].endswith(f".{kind}")
     dialog.fileSelected.emit(str(path))

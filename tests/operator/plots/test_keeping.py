@@ -21,7 +21,7 @@ pytestmark = pytest.mark.styled
 
 
 def save(plots, kind, path):
-    plots.window.bar.saves[kind].trigger()
+    plots.window.bar.save.saves[kind].trigger()
     dialog = plots.driver.dialog(FileDialog)
     assert dialog.selectedFiles()[0].endswith(f".{kind}")
     dialog.close()
@@ -99,10 +99,10 @@ def test_a_file_that_is_being_replaced_stays_whole(plots, tmp_path, monkeypatch)
 
 
 def test_copies(plots):
-    plots.window.bar.saves["copy_picture"].trigger()
+    plots.window.bar.save.saves["copy_picture"].trigger()
     QApplication.processEvents()
     assert QGuiApplication.clipboard().image().width() == 2400
-    plots.window.bar.saves["copy_values"].trigger()
+    plots.window.bar.save.saves["copy_values"].trigger()
     text = QGuiApplication.clipboard().text()
     assert plots.board.has_cursors
     assert "J1 angle\t" in text

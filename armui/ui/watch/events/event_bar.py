@@ -128,12 +128,10 @@ class EventBar(HasActs, Translated, QWidget):
     Signals:
         filter_changed: An `EventFilter`.
         follow_changed: True to keep the newest event visible.
-        save_wanted: One of `SAVES`.
     """
 
     filter_changed = Signal(object)
     follow_changed = Signal(bool)
-    save_wanted = Signal(str)
     commands = (
         Command("events.save", Text("SaveButton", "Save")),
         *(Command(f"events.{name}", SAVES.entry(name)) for name in SAVES),
@@ -162,8 +160,6 @@ class EventBar(HasActs, Translated, QWidget):
         self.follow.setChecked(True)
         self.count = text_label("event_count", rank="muted")
         self.save = SaveButton("event", SAVES)
-        self.save.wanted.connect(self.save_wanted)
-        self.saves = self.save.saves
         fold_into(self.chosen_kinds, self.all_kinds, *self.kinds.values())
         wanted = (self.levels, self.askers, self.chosen_kinds, self.follow)
         in_row((self.search, 1), *wanted, self.count, self.save, on=self, spacing=8, margins=0)
@@ -177,8 +173,7 @@ class EventBar(HasActs, Translated, QWidget):
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
-        saves = {f"events.{name}": action for name, action in self.saves.items()}
-        return {**super().command_targets(), "events.save": self.save, **saves}
+        return {**super().command_targets(), **self.save.targets("events")}
 
     def _fit_follow(self) -> None:
         """Wide enough for its name in bold, as it is when it is on."""

@@ -91,7 +91,7 @@ class EventPage(Page):
         self.bar.filter_changed.connect(self._on_filter)
         self.bar.follow_changed.connect(self._on_follow)
         self.bar.follow.clicked.connect(self._on_follow_pressed)
-        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
+        self.bar.save.wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_clicked)
         self.table.activated.connect(self._on_activated)

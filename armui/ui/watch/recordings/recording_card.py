@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
 from PySide6.QtWidgets import (
-    QCheckBox,
     QFrame,
     QLabel,
     QLineEdit,
@@ -24,7 +23,7 @@ from armui.setting_fields import ROTATE_MB
 from armui.system.clock import local_time
 from armui.system.files import size_text
 from armui.ui import format as fmt
-from armui.ui.actions.act import Act, HasActs
+from armui.ui.actions.act import Act, HasActs, check_box
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -80,6 +79,14 @@ class RingCard(HasActs, Translated, QFrame):
     save_button = Act(
         "Save what just happened", named="ring_save", key="sessions.ring", primary=True
     )
+    at_faults_box = Act(
+        "Save by itself at a fault or a stop",
+        named="ring_save_at_faults",
+        tip="A few seconds after a fault or a stop, the last minutes are saved as a log. "
+        "Faults that follow one another are saved together.",
+        key="sessions.ring_at_faults",
+        kind=check_box,
+    )
 
     def __init__(self, sessions: SessionRecorder, store: SettingsStore) -> None:
         super().__init__()
@@ -95,26 +102,15 @@ class RingCard(HasActs, Translated, QFrame):
             label.setMinimumWidth(_FIGURES_PX)
         self._bar = QProgressBar(minimum=0, maximum=round(KEPT_S), textVisible=False)
         self._bar.setFixedHeight(6)
-        self.at_faults_box = named("ring_save_at_faults", QCheckBox())
         words = in_column(self.content_label, self.memory_label, spacing=0)
         head = in_row(self.save_button, (words, 1), spacing=_BETWEEN_PX)
         below = in_row(self.at_faults_box, STRETCH)
         in_column(head, self._bar, STRETCH, below, on=self, spacing=4, margins=_INSIDE)
-        self.at_faults_box.clicked.connect(
-            lambda checked: self._store.change(session_save_at_faults=checked)
-        )
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.setAccessibleName(self.tr("The last minutes, in memory"))
-        self.at_faults_box.setText(self.tr("Save by itself at a fault or a stop"))
-        self.at_faults_box.setToolTip(
-            self.tr(
-                "A few seconds after a fault or a stop, the last minutes are saved as a log. "
-                "Faults that follow one another are saved together."
-            )
-        )
         self.refresh()
 
     def refresh(self) -> None:
@@ -143,6 +139,10 @@ class RingCard(HasActs, Translated, QFrame):
                 now=size_text(ring.bytes_kept), most=size_text(ring.most_bytes)
             )
         )
+
+    @at_faults_box.pressed
+    def _on_at_faults(self) -> None:
+        self._store.change(session_save_at_faults=self.at_faults_box.isChecked())
 
     @save_button.text
     def _save_text(self) -> str:

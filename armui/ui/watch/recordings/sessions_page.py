@@ -39,7 +39,6 @@ from armui.system.files import size_text
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
-from armui.ui.actions.command import Command, Target
 from armui.ui.background import Job
 from armui.ui.watch.recordings import recording_files
 from armui.ui.watch.recordings.recording_card import (
@@ -62,7 +61,7 @@ from armui.ui.widgets.table_model import (
     list_rows,
     set_widths,
 )
-from armui.ui.words.text import Text, Texts
+from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QShowEvent
@@ -271,10 +270,7 @@ class SessionsPage(Page):
         export_wanted: The path of a recording to be exported.
     """
 
-    commands = (
-        *(*RecordingCard.commands, *RingCard.commands),
-        Command("sessions.ring_at_faults", Text("RingCard", "Save by itself at a fault or a stop")),
-    )
+    commands = (*RecordingCard.commands, *RingCard.commands)
     open_button = Act("Replay", named="session_open", key="sessions.replay")
     export_button = Act(
         "Export…",
@@ -336,10 +332,6 @@ class SessionsPage(Page):
     def headers(self) -> Mapping[str, QHeaderView]:
         """Return the heads of its tables by name: the columns' widths and the order are kept."""
         return {"sessions": self.table.horizontalHeader()}
-
-    def command_targets(self) -> Mapping[str, Target]:
-        """Return the target of each command, by the command's name."""
-        return {**super().command_targets(), "sessions.ring_at_faults": self.ring.at_faults_box}
 
     def act_parts(self) -> Iterable[HasActs]:
         """Return the cards, whose acts the page offers as well."""

@@ -80,7 +80,7 @@ class ReplayEvents(Translated, QWidget):
     def _connect(self) -> None:
         self.bar.filter_changed.connect(self.model.set_filter)
         self.bar.follow_changed.connect(self._on_follow)
-        self.bar.save_wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
+        self.bar.save.wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
         self.export.said.connect(self._say)
         self.table.clicked.connect(self._on_chosen)
         self.table.activated.connect(self._on_chosen)
