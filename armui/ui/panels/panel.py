@@ -38,9 +38,9 @@ _BELOW_PX: Final = 7
 """Below the message, which has some room of its own."""
 _HEAD_PX: Final = 36
 """The height of a head with or without buttons, so that the content keeps its place."""
-_SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN, StepKind.WRONG_MODEL}
-"""The steps whose line does not give the reason: nothing is wrong, the panel names what is
-silent, or the model is told before it.
+_SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
+"""The steps whose line does not give the reason: nothing is wrong, or the panel names what is
+silent.
 """
 
 
