@@ -30,6 +30,7 @@ def changed(six, index, value):
 
 def test_all_of_it_heard_within_half_a_second_is_no_silence():
     assert why_silent(HEARD, NOW_S) is None
+    assert why_silent(HEARD, NOW_S - 0.3) is None
 
 
 @pytest.mark.parametrize("status_heard", [None, Reading(status(), STALE_S)])
