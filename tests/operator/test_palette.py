@@ -106,6 +106,12 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
         *((each, "User guide") for each in ("font", "text size", "字号")),
         *((each, "Import files") for each in ("open file", "打开 文件")),
         *((each, "Replay a log") for each in ("open recording", "打开 录制")),
+        *((each, "Clear error") for each in ("clear alarm", "清错")),
+        *((each, "Gripper control") for each in ("抓手", "夹具")),
+        *((each, "Cell") for each in ("table", "禁区")),
+        *((each, "Home") for each in ("go home", "回原点")),
+        ("打开夹爪", "Open the gripper"),
+        ("停止运动", "Halt"),
         ("led", "Light control"),
         ("断电", "Enable or disable"),
     ],
@@ -114,6 +120,22 @@ def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first)
     palette = open_palette(app_driver)
     palette.search.setText(words)
     assert rows(palette)[0].title.startswith(first)
+
+
+@pytest.mark.parametrize(
+    ("word", "named"),
+    [
+        ("stop", {"Emergency stop", "Halt"}),
+        ("reset", {"Release the emergency stop", "Clear error J1–J6"}),
+        ("复位", {"Release the emergency stop", "Clear error J1–J6"}),
+    ],
+)
+def test_whatever_a_word_may_mean_is_found(app_driver, word, named):
+    palette = open_palette(app_driver)
+    palette.search.setText(word)
+    found = {each.title for each in rows(palette)}
+    assert named <= found
+    assert "Home" not in found
 
 
 def test_of_what_matches_alike_what_can_be_done_comes_first(app_driver):

@@ -24,7 +24,7 @@ from armui.protocol.generation import Generation
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, ActFamily
-from armui.ui.actions.command import Command, Target
+from armui.ui.actions.command import Command, Target, also
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
@@ -55,6 +55,7 @@ _TITLES: Final = Texts("GripperPanel") | {
     "close_fully": "Close the gripper",
     "open_fully": "Open the gripper",
 }
+_ENDS_ALSO: Final = {"close_fully": also("关闭夹爪 合上夹爪"), "open_fully": also("打开夹爪")}
 _USES: Final = Texts("GripperPanel") | {
     "close_fully": "Closes the gripper to 0.",
     "open_fully": "Opens the gripper to its stroke limit.",
@@ -265,6 +266,7 @@ class GripperPanel(Panel):
                 whose=True,
                 key=f"gripper.{end}",
                 title=_TITLES.entry(end),
+                synonyms=_ENDS_ALSO[end],
             )
             for end in _ENDS
         }

@@ -23,6 +23,7 @@ from armui.control.operations.started import Started
 from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
 from armui.ui.actions.act import Act, ActFamily
+from armui.ui.actions.command import also
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import COLUMN_GAP_PX, FIGURE_PX, MotorRow
 from armui.ui.panels.panel import Panel
@@ -58,6 +59,8 @@ _USES: Final = Texts("MotorPanel") | {
     MotorAct.CLEAR: "Clears the error of the joint's driver; nothing moves.",
 }
 
+_CLEARING: Final = also("reset alarm fault 复位 清错 报警 故障")
+
 
 class MotorPanel(Panel):
     """Six rows of figures and buttons, and a row of buttons for all joints.
@@ -75,6 +78,7 @@ class MotorPanel(Panel):
                 tip=_USES.entry(act),
                 key=f"motor.{act.value}_{joint}",
                 title=replace(_LABELS.entry(act), suffix=whose),
+                synonyms=_CLEARING if act is MotorAct.CLEAR else (),
                 on_enter=False,
             )
             for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))

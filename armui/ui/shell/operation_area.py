@@ -70,14 +70,14 @@ PANELS: Final = (
                also("tool control tcp pose linear xyz 位姿 直线")),
     PanelEntry("gripper", Text("SideMenu", "Gripper control"), GripperPanel,
                lambda arm, _store, _: GripperPanel(arm),
-               also("torque force 力矩")),
+               also("torque force 力矩 抓手 夹具")),
     PanelEntry("teaching", Text("SideMenu", "Drag teaching"), TeachingPanel,
                lambda arm, _store, open_backup: TeachingPanel(arm, open_backup),
                also("freedrive free drive hand guide lead through 拖拽")),
     PanelEntry("cell", Text("SideMenu", "Cell"), CellPanel,
                lambda arm, store, _: CellPanel(arm, store),
-               also("tool tcp frame work area box safety fence calibrate "
-                    "工具 坐标系 工作区 安全 标定")),
+               also("tool tcp frame work area box table safety fence calibrate "
+                    "工具 坐标系 工作区 桌子 禁区 围栏 安全 标定")),
     PanelEntry("light", Text("SideMenu", "Light control"), LightPanel,
                lambda arm, _store, _: LightPanel(arm),
                also("led lamp color colour"),

@@ -47,7 +47,7 @@ _KEYS: Final = tuple(
 )
 
 _WIDEST_ANGLE: Final = "-000.000°"
-_ZERO: Final = also("zero zeros origin home 归零 零位 零点 原点 复位")
+_ZERO: Final = also("zero zeros origin go home 归零 零位 零点 原点 回原点")
 _JOINTS: Final = also("movej joints 关节运动")
 _TARGET: Final = Text("Action", "Target of")
 _KEYBOARD: Final = also("keyboard teach 键盘")
