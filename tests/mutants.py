@@ -101,6 +101,7 @@ TESTS: dict[str, Judges] = {
     "armui/control/requests/transactions.py": Judges(
         ("tests/control/test_transaction*",),
         ("tests/safety/test_s14*", "tests/control/test_zeroing.py"),
+        fixtures="tests.control.conftest",
     ),
     "armui/control/safety/overspeed.py": Judges(
         ("tests/control/test_overspeed.py", "tests/control/test_authority_speed.py"),
