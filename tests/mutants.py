@@ -104,7 +104,7 @@ TESTS: dict[str, Judges] = {
         fixtures="tests.control.conftest",
     ),
     "armui/control/safety/overspeed.py": Judges(
-        ("tests/control/test_overspeed.py", "tests/control/test_authority_speed.py"),
+        ("tests/control/test_overspeed*", "tests/control/test_authority_speed.py"),
         ("tests/safety/test_s12*",),
     ),
     "armui/control/safety/command_acknowledgement.py": Judges(
