@@ -42,7 +42,7 @@ CHECK_TOO_LONG = Reason(
 )
 CHECK_BUSY = Reason("check_busy", "Something else is being checked for you. Wait for its answer.")
 
-_LISTED: Final = ("name", "kind", "count", "length_s", "note", "folder", "check")
+_LISTED: Final = ("name", "kind", "count", "note", "folder", "check")
 _GIVEN: Final = "points"
 """The name of points that a client gives."""
 
@@ -220,6 +220,7 @@ def _listed(library: Library) -> list[Json]:
     return [
         {
             **{name: getattr(each, name) for name in _LISTED},
+            "length_s": each.estimated_s if each.length_s is None else each.length_s,
             "modified": each.modified.isoformat(),
             "has_run": each.ran_with is not None,
             "damage": None if each.damage is None else plain(each.damage.refusal),

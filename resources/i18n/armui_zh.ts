@@ -13984,6 +13984,10 @@ The other program must have ended.</source>
         <translation>估计值，从机械臂当前位置算起。检查后得到准确时间。</translation>
     </message>
     <message>
+        <source>An estimate, from the first point to the last.</source>
+        <translation>估计值，从第一点到最后一点。</translation>
+    </message>
+    <message>
         <source>An estimate, without the way to the first point. A check tells it exactly.</source>
         <translation>估计值，不含到第一点的路程。检查后显示准确值。</translation>
     </message>

@@ -41,7 +41,7 @@ def library(app_driver: AppDriver) -> LibraryPage:
         for content in SAMPLES:
             library.save(content)
         arm = arm_model(app_driver.controller).fingerprint
-        library.mark("Warm up", check="ok", length_s=84.0, arm=arm)
+        library.mark("Warm up", check="ok", arm=arm)
     app_driver.window.open_library_window()
     window = app_driver.page(LibraryPage)
     window.refresh(["Pick and place"])

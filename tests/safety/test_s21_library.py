@@ -57,7 +57,7 @@ def test_alone_nothing_goes_into_the_bin(folder):
     ours.load("T", to_edit=True)
     for count in (2, 3, 4):
         assert ours.save(points(count), replacing="T") is False
-    ours.mark("T", check="ok", length_s=1.0)
+    ours.mark("T", check="ok")
     assert ours.save(points(5), replacing="T") is False
     assert ours.recently_deleted() == []
 

@@ -57,7 +57,7 @@ class IndexEntry:
         name: The trajectory's name; no two entries share one.
         kind: Points, recorded samples, or unsaved points.
         count: The number of points or samples; 0 if the file is damaged.
-        length_s: The duration; ``None`` if it was not computed yet.
+        length_s: The duration of a recording; ``None`` for points, which have an estimate.
         modified: The time of the last change.
         check: The result of its last check; ``None`` if it has changed since, or was never checked.
         damage: The fault of its file; ``None`` if there is none.
@@ -267,6 +267,8 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
             speeds=tuple(starmap(SpeedsFrom, speeds)),
             frames=frames,
         )
+        if entry.kind == "points":
+            entry = replace(entry, length_s=None)  # once as checked, from where the arm stood
         if damage is not None:
             code, params, line, column, name = damage
             _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))

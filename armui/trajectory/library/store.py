@@ -290,7 +290,7 @@ class Library:
             self.drop_draft(new)
             raise
         self.drop_draft(name)
-        self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
+        self.mark(new, check=known.check, arm=known.checked_for)
 
     def duplicate(self, name: str, new: str) -> None:
         """Copy a trajectory under another name.
@@ -303,7 +303,7 @@ class Library:
         self._verify(content)
         known = self._scan()[name].entry
         self._write(content, None, known.folder)
-        self.mark(new, check=known.check, length_s=known.length_s, arm=known.checked_for)
+        self.mark(new, check=known.check, arm=known.checked_for)
 
     # Folders --------------------------------------------------------------------------------------
 
@@ -461,12 +461,7 @@ class Library:
                 name = name_inside(place)
                 names[name] = self._put_draft_back(place, names.get(name))
         for entry in deleted.entries:
-            self.mark(
-                names.get(entry.name, ""),
-                check=entry.check,
-                length_s=entry.length_s,
-                arm=entry.checked_for,
-            )
+            self.mark(names.get(entry.name, ""), check=entry.check, arm=entry.checked_for)
             if entry.ran_with is not None:
                 self.note_run(names.get(entry.name, ""), entry.ran_with)
         return tuple(names.values())
@@ -513,24 +508,18 @@ class Library:
         self._bin.give_back(place.name, place, self._folder)
         return free
 
-    def mark(
-        self, name: str, *, check: Check | None, length_s: float | None, arm: str = ""
-    ) -> None:
-        """Store the result of a check and the duration, valid until the file changes.
+    def mark(self, name: str, *, check: Check | None, arm: str = "") -> None:
+        """Store the result of a check, valid until the file changes.
 
         Args:
             name: The name; nothing is stored if the file is gone or damaged.
             check: The result of the check.
-            length_s: The duration; ignored for recordings, which hold it.
             arm: The `ArmModel.fingerprint_of` its frames that it was checked for.
         """
         kept = self._scan().get(name)
         if kept is None or kept.entry.damage is not None:
             return
-        entry = replace(kept.entry, check=check, checked_for=arm)
-        if entry.kind == "points":
-            entry = replace(entry, length_s=length_s)
-        self._file_store.mark(kept, entry)
+        self._file_store.mark(kept, replace(kept.entry, check=check, checked_for=arm))
 
     def note_run(self, name: str, options: RunOptions) -> None:
         """Store that a trajectory was run, with its options; ignored if it is gone.

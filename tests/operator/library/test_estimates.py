@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -14,6 +15,7 @@ from armui.trajectory.library.index import IndexEntry
 from armui.trajectory.library.store import Library
 from armui.trajectory.planning.estimate import estimate_s
 from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from tests.operator.library.actions import POINT, LibraryDriver
 
@@ -73,8 +75,9 @@ def test_the_list_tells_estimates_and_why_there_is_none(driver):
     assert "no points" in tip(driver, "empty")
 
 
-def test_the_checked_figure_takes_its_place(driver):
+def test_the_checked_figure_takes_its_place_beside_run_alone(driver):
     driver.app_driver.wait(lambda: length(driver, "both") != "—")
+    of_file = length(driver, "both")
     driver.choose("both")
     at_full_speed(driver)
     driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
@@ -83,8 +86,7 @@ def test_the_checked_figure_takes_its_place(driver):
     assert not told(driver.window).startswith("≈")
     checked = seconds(told(driver.window))
     assert checked == pytest.approx(estimated, abs=0.2), "the way to the first point counts in both"
-    assert seconds(length(driver, "both")) == seconds(told(driver.window))
-    assert not length(driver, "both").startswith("≈")
+    assert length(driver, "both") == of_file, "a check is from where the arm stands"
 
 
 def test_of_a_loop_a_check_tells_a_further_run_and_at_a_lower_speed_the_estimate_stays(driver):
@@ -104,6 +106,18 @@ def test_of_a_loop_a_check_tells_a_further_run_and_at_a_lower_speed_the_estimate
     full, slowed = effective(driver.window).text().split(" · ")
     assert seconds(full.removesuffix(" a run")) == there_and_back
     assert slowed.startswith("at 50 % ≈")
+
+
+def test_of_a_recording_a_check_counts_no_way_to_it_so_that_slower_is_longer(driver):
+    samples = np.array([(t_s, *POINT.target, 0.0) for t_s in (0.0, 0.1, 0.2)])
+    driver.library.save(Recording("taught", samples=samples))
+    driver.window.refresh(["taught"])
+    driver.app_driver.controller.motion.set_speed_percent(20)
+    driver.app_driver.step()
+    driver.app_driver.wait(lambda: "at 20 % ≈ 1.0 s" in effective(driver.window).text())
+    driver.window._run_bar.check()
+    driver.app_driver.wait(lambda: not driver.window._run_bar.is_checking)
+    assert effective(driver.window).text().startswith("≈ 0.2 s · at 20 % ≈ 1.0 s")
 
 
 def test_beside_send_it_is_that_of_what_is_chosen(driver):

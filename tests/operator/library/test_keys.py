@@ -1,5 +1,7 @@
 """Keys, the search, the order of the list, and what it says when it is empty."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
@@ -115,12 +117,13 @@ def test_the_choice_stays_when_the_order_changes(driver):
 def test_every_column_can_be_sorted_by(app_driver):
     library = Library(app_driver.library_folder)
     for count, (name, note) in enumerate((("run 10", "b"), ("Run 9", "a"), ("run 2", ""))):
-        library.save(Trajectory(name, note, (POINT,) * count))
+        library.save(Trajectory(name, note, (replace(POINT, dwell_s=2.0 - count),) * count))
     arm = arm_model(app_driver.controller).fingerprint
-    library.mark("run 2", check="errors", length_s=3.0, arm=arm)
-    library.mark("Run 9", check="ok", length_s=20.0, arm=arm)
+    library.mark("run 2", check="errors", arm=arm)
+    library.mark("Run 9", check="ok", arm=arm)
     driver = LibraryDriver(app_driver)
     assert driver.names() == ["run 2", "Run 9", "run 10"]
+    app_driver.wait(lambda: {row[2] for row in driver.rows()} == {"—", "≈ 0.0 s", "≈ 1.0 s"})
     expected = {
         LibraryColumn.POINTS: ["run 10", "Run 9", "run 2"],
         LibraryColumn.LENGTH: ["run 10", "run 2", "Run 9"],

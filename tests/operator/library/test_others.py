@@ -119,8 +119,8 @@ def test_a_folder_that_vanishes_is_an_empty_library(driver):
 
 def test_marks_made_here_and_there_are_both_kept(driver):
     there = other(driver)
-    there.mark("one", check="ok", length_s=1.0)
+    there.mark("one", check="ok")
     driver.library.entries()
-    driver.library.mark("two", check="errors", length_s=2.0)
+    driver.library.mark("two", check="errors")
     marks = {entry.name: entry.check for entry in other(driver).entries()}
     assert marks == {"one": "ok", "three": None, "two": "errors"}

@@ -24,15 +24,15 @@ from tests.trajectory.library.contents import (
 
 def test_a_mark_lasts_until_the_file_changes(library, folder):
     library.save(trajectory())
-    library.mark("pick", check="errors", length_s=12.5)
+    library.mark("pick", check="errors")
     (entry,) = opened(folder).entries()
-    assert (entry.check, entry.length_s) == ("errors", 12.5)
+    assert entry.check == "errors"
 
     (folder / "pick.log").write_bytes(files.to_bytes(trajectory(count=3), ".log"))
 
     (entry,) = library.entries()
-    assert (entry.check, entry.length_s, entry.count) == (None, None, 3)
-    library.mark("pick", check="ok", length_s=1.0)
+    assert (entry.check, entry.count) == (None, 3)
+    library.mark("pick", check="ok")
     library.save(trajectory(), replacing="pick")
     assert library.entries()[0].check is None
 
@@ -61,7 +61,7 @@ def test_a_listing_opens_only_what_is_new(library, folder, monkeypatch):
 )
 def test_a_broken_cache_loses_nothing_but_marks(library, folder, text):
     library.save(trajectory())
-    library.mark("pick", check="ok", length_s=1.0)
+    library.mark("pick", check="ok")
     (folder / ".index.json").write_text(text)
     (entry,) = opened(folder).entries()
     assert (entry.name, entry.count, entry.check) == ("pick", 2, None)
@@ -86,7 +86,7 @@ def test_a_damaged_file_is_listed_with_its_fault_and_never_written_over(library,
         assert refused(again.save, trajectory("取/料"), replacing="取/料").reason == LIBRARY_DAMAGED
         with pytest.raises(TrajectoryFileError):
             again.rename("取/料", "b")
-        again.mark("取/料", check="ok", length_s=1.0)
+        again.mark("取/料", check="ok")
         assert (folder / "取_料.log").read_bytes() == data
     deleted = library.delete(["取/料"])
     assert names(library) == ["sound"]

@@ -20,13 +20,13 @@ from tests.trajectory.library.contents import (
 
 def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(library, folder):
     library.save(trajectory())
-    library.mark("pick", check="ok", length_s=4.5)
+    library.mark("pick", check="ok")
     library.save_draft("pick", trajectory(count=7))
 
     library.rename("pick", "place")
 
     (entry,) = library.entries()
-    assert (entry.name, entry.check, entry.length_s) == ("place", "ok", 4.5)
+    assert (entry.name, entry.check) == ("place", "ok")
     assert shown(folder) == ["place.draft", "place.log"]
     assert library.drafts() == ["place"]
     assert len(library.draft("place").points) == 7
@@ -44,7 +44,7 @@ def test_a_trajectory_is_renamed_with_its_mark_and_its_draft(library, folder):
 
 def test_a_duplicate_is_the_same_under_another_name(library):
     library.save(recording())
-    library.mark("wave", check="warnings", length_s=None)
+    library.mark("wave", check="warnings")
     library.duplicate("wave", "wave 2")
     first, second = library.entries()
     assert second == replace(first, name="wave 2")
@@ -61,7 +61,7 @@ def test_what_is_gone_is_said_to_be(library):
         with pytest.raises(TrajectoryFileError, match="a: It is not in the library any more"):
             call("a")
     library.drop_draft("a")
-    library.mark("a", check="ok", length_s=1.0)
+    library.mark("a", check="ok")
     assert library.delete(["a"]).names == ()
     assert library.draft("a") is None
 

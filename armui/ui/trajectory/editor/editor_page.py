@@ -515,12 +515,9 @@ class EditorPage(Page):
 
     def _note_check(self, checked: Preflight) -> None:
         """Have the list show how the check ended."""
-        length_s = checked.length_s
         name = self.document.name
         self._work.do(
-            lambda: self._library.mark(
-                name, check=checked.mark, length_s=length_s, arm=checked.fingerprint
-            ),
+            lambda: self._library.mark(name, check=checked.mark, arm=checked.fingerprint),
             lambda _: self.saved.emit(),
             self._show_failure,
         )

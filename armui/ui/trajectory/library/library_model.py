@@ -170,7 +170,7 @@ class LibraryModel(TableModel):
         return self._fingerprints[entry.frames]
 
     def length_s(self, entry: IndexEntry) -> float | None:
-        """Return how long it takes, checked or estimated; ``None`` where neither is known."""
+        """Return how long it takes, recorded or estimated; ``None`` where that is not known."""
         if entry.length_s is not None:
             return entry.length_s
         return entry.estimated_s if entry.estimated_for == self._holds_for(entry) else None
@@ -281,7 +281,7 @@ class LibraryModel(TableModel):
             return words.refusal(RUN_EMPTY(name=entry.name))
         if entry.estimated_for != self._holds_for(entry):
             return self.tr("It is being worked out.")
-        return estimate_tip(known=entry.estimated_s is not None)
+        return estimate_tip(known=entry.estimated_s is not None, in_list=True)
 
     def _is_of_other_arm(self, entry: IndexEntry) -> bool:
         return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind

@@ -482,12 +482,10 @@ class LibraryPage(Page):
 
     def _mark(self, checked: Preflight) -> None:
         """Have the library keep how a check of all rows ended, and show it in the list."""
-        name, length_s = checked.content.name, checked.length_s
+        name = checked.content.name
         if checked.whole:
             self._work.do(
-                lambda: self._library.mark(
-                    name, check=checked.mark, length_s=length_s, arm=checked.fingerprint
-                ),
+                lambda: self._library.mark(name, check=checked.mark, arm=checked.fingerprint),
                 refused=self._on_refused,
             )
         self.refresh()

@@ -22,16 +22,21 @@ _PAUSE_MS: Final = 300
 """The pause after a change before the time is worked out, as figures are typed digit by digit."""
 
 
-def estimate_tip(*, known: bool, from_here: bool = False) -> str:
+def estimate_tip(*, known: bool, from_here: bool = False, in_list: bool = False) -> str:
     """Return what an estimate says, or why there is none.
 
     Args:
         known: True if there is one.
         from_here: True if it counts the way from where the arm stands.
+        in_list: True if it is that of the file, which no check of a run changes.
     """
     if known and from_here:
         return QCoreApplication.translate(
             "RunEstimate", "An estimate, from where the arm stands. A check tells it exactly."
+        )
+    if known and in_list:
+        return QCoreApplication.translate(
+            "RunEstimate", "An estimate, from the first point to the last."
         )
     if known:
         return QCoreApplication.translate(
@@ -121,11 +126,13 @@ class RunEstimate(QObject):
     def take(self, checked: Preflight) -> None:
         """Take over the time that a check of this run found; without end that of a further cycle.
 
-        A check counts no slower speed of the operator's, for which the estimate holds.
+        A check counts no slower speed of the operator's, for which the estimate holds; and the
+        slow way to a recording, which is left out here.
         """
-        cycles, path = checked.order.cycles, checked.path
-        repeats_as_it_is = cycles == 1 or not isinstance(checked.content, Recording)
-        if self._of is not None and repeats_as_it_is and not checked.errors:
+        cycles, path, options = checked.order.cycles, checked.path, self._options()
+        as_chosen = (cycles, checked.order.first) == (options.cycles, options.first)
+        as_chosen = as_chosen and not isinstance(checked.content, Recording)
+        if self._of is not None and as_chosen and not checked.errors:
             first_s = path.first_cycle_s
             self.seconds = first_s + (cycles - 1) * path.lap_s if cycles else path.lap_s
             self.is_checked = True
