@@ -38,8 +38,8 @@ AREA_IN_THE_WAY = Reason(
 )
 AREA_ONLY_OUT = Reason(
     "area_only_out",
-    "The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would "
-    "lead further in. Move it out.",
+    "The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it "
+    "nearer still. Move it away.",
 )
 
 SLACK_MM: Final = 1.0

@@ -8778,6 +8778,14 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>已发送末端负载：{load}</translation>
     </message>
     <message>
+        <source>The arm has come too near to “{name}” of the work area: {part}, by {value} mm.</source>
+        <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm。</translation>
+    </message>
+    <message>
+        <source>The arm stands too near to “{name}” of the work area as it is now: {part}, by {value} mm.</source>
+        <translation>机械臂离工作区当前的“{name}”过近：{part}，差 {value} mm。</translation>
+    </message>
+    <message>
         <source>After an emergency stop the arm may sink, and the work area does not hold it: below it is {names}. Hold the arm.</source>
         <translation>急停后机械臂可能下沉，工作区拦不住它：其下方是 {names}。请扶住机械臂。</translation>
     </message>
@@ -8844,10 +8852,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Nothing is kept in these folders: {folders}. Let this user write there; Diagnosis gives the command.</source>
         <translation>以下文件夹中什么都无法保存：{folders}。请允许当前用户写入；“诊断”给出命令。</translation>
-    </message>
-    <message>
-        <source>The arm stands in the work area&apos;s “{name}” as it is now: {part}, {value} mm too near.</source>
-        <translation>机械臂处于工作区当前的“{name}”之内：{part}，超出 {value} mm。</translation>
     </message>
     <message>
         <source>Cell renamed: {name}</source>
@@ -9432,10 +9436,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Joint {joint} left its place of {place}° uncommanded, enabled, and was reported at {value}°: its reference is in doubt. It may stand elsewhere than it reports from now on.</source>
         <translation>关节 {joint} 在使能且无指令的情况下离开了 {place}°，上报为 {value}°：其零位基准存疑。此后它的实际位置可能与上报不符。</translation>
-    </message>
-    <message>
-        <source>The arm has come into the work area&apos;s “{name}”: {part}, {value} mm too near.</source>
-        <translation>机械臂进入了工作区的“{name}”：{part}，超出 {value} mm。</translation>
     </message>
     <message>
         <source>No cell is in force</source>
@@ -12406,6 +12406,10 @@ The other program must have ended.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
     </message>
     <message>
+        <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>
+        <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm；这样会更近。请移开。</translation>
+    </message>
+    <message>
         <source>The program was held up for {value} ms, which ended the stream. The next target begins another.</source>
         <translation>程序停顿了 {value} 毫秒，目标流因此结束。发送下一个目标即开始新的目标流。</translation>
     </message>
@@ -13632,10 +13636,6 @@ The other program must have ended.</source>
     <message>
         <source>The arm would replay a way that only it knows, and the work area could not be kept. Switch the area off under Cell, or record and replay with this program.</source>
         <translation>机械臂要回放只有它自己知道的路径，无法保证工作区。请在“单元”中关闭区域，或用本程序录制和回放。</translation>
-    </message>
-    <message>
-        <source>The arm stands in “{name}” of the work area, with {part} {value} mm too near; this would lead further in. Move it out.</source>
-        <translation>机械臂位于工作区的“{name}”内，{part}过近，差 {value} mm；这样会更深入。请向外移动。</translation>
     </message>
     <message>
         <source>This adapter was last used with the cell “{name}”. See that it is the arm in front of you, then confirm the cell, or choose another one under Cell.</source>

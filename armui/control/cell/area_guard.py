@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 
 AREA_ENTERED = Notice(
     "area_entered",
-    "The arm has come into the work area's “{name}”: {part}, {value} mm too near.",
+    "The arm has come too near to “{name}” of the work area: {part}, by {value} mm.",
     Level.WARNING,
     EventKind.STATUS,
     Asker.PROGRAM,
 )
 AREA_AROUND = Notice(
     "area_around",
-    "The arm stands in the work area's “{name}” as it is now: {part}, {value} mm too near.",
+    "The arm stands too near to “{name}” of the work area as it is now: {part}, by {value} mm.",
     Level.WARNING,
     EventKind.STATUS,
     Asker.PROGRAM,
