@@ -205,6 +205,7 @@ def test_a_tool_that_cannot_be_is_refused(bent):
 def capture(app_driver, point, angles_deg):
     app_driver.controller.motion.send_joints(angles_deg)
     app_driver.come_to_rest()
+    app_driver.run_until(lambda: app_driver.find(f"capture_{point}").isEnabled())
     app_driver.click(f"capture_{point}")
 
 
@@ -336,5 +337,18 @@ def test_a_pose_of_an_arm_that_says_the_rest_is_not_captured(bent):
     bent.node.link.lose_to_bus(0x2A3, 1000)
     bent.run(1.0)
     bent.click("capture_start")
-    assert "The pose is not heard any more" in bent.read("pose_message")
+    assert "The pose is not heard any more" in bent.find("capture_start").toolTip()
     assert bent.read("captured_start") == "—"
+
+
+@ONE_IS_ENOUGH
+def test_a_pose_that_swings_by_is_not_captured(bent):
+    bent.controller.motion.send_joints((25.0, *BENT_DEG[1:]))
+    bent.run(0.4)
+    bent.click("capture_start")
+    assert "not at rest" in bent.find("capture_start").toolTip()
+    assert bent.read("captured_start") == "—"
+    bent.come_to_rest()
+    bent.run_until(lambda: bent.find("capture_start").isEnabled())
+    bent.click("capture_start")
+    assert bent.read("captured_start") != "—"

@@ -230,6 +230,8 @@ class FakeCells:
         """Return no reason: a point may be taken."""
         return None
 
+    why_no_pose = why_not_capture
+
 
 class FakeAreaGuard:
     """The arm may go anywhere."""

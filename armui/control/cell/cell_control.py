@@ -422,14 +422,17 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def why_not_capture(self) -> Refusal | None:
+        """Return why the pose of the flange cannot be taken for the cell now, or ``None``."""
+        return CELL_NONE() if self.cell is None else self.why_no_pose()
+
+    def why_no_pose(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
 
         Only what is measured counts, of an arm that is heard and measured at rest.
         """
         context = self._context
         now = context.operating_state()
-        none = CELL_NONE() if self.cell is None else None
-        unknown = none or why_unreachable(now.link) or self._cartesian.why_unknown()
+        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
         if unknown is not None:
             return unknown
         state, now_s = context.state(), context.clock()

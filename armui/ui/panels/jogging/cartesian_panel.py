@@ -21,7 +21,6 @@ from armui.arm.state import ArmState
 from armui.cell.user_frames import UserFrame
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import why_not_change
-from armui.control.cell.cell_reasons import CAPTURE_STALE
 from armui.control.motion.cartesian import FRAME_NOT_IN_FORCE, POSE_UNKNOWN, Cartesian
 from armui.control.motion.jog_path import MotionFrame, ToolJog
 from armui.control.operating_state import OperatingState
@@ -429,14 +428,10 @@ class CartesianPanel(JogPanel):
             self._release()
 
     def _on_capture(self, place: int) -> None:
-        pose = self._pose()
-        if pose is None:
-            self._accepted(POSE_UNKNOWN())
-        elif self._stale():
-            self._accepted(CAPTURE_STALE())
-        else:
+        pose, refusal = self._pose(), self._controller.cell.why_no_pose()
+        if pose is not None and refusal is None:
             self._arc.take(place, pose)
-            self._accepted(None)
+        self._accepted(refusal)
 
     def typed(self) -> tuple[float, ...] | None:
         """Return the typed target; a sent one stays in the fields until the arm is there."""
@@ -463,6 +458,7 @@ class CartesianPanel(JogPanel):
             self._heard = pose is not None
             self._show_possible()
         CartesianPanel.move_p.show(self)
+        self._arc.show_acts()  # a pose is taken at rest
 
     @move_p.lit
     def _is_elsewhere(self) -> bool:

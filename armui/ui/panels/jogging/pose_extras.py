@@ -177,6 +177,10 @@ class ArcBox(HasActs, Translated, QWidget):
         grid.setRowStretch(3, 1)
         self.retranslate_ui()
 
+    @captures.why_not
+    def _why_no_pose(self, _place: int) -> Refusal | None:
+        return self._controller.cell.why_no_pose()
+
     @captures.pressed
     def _on_capture(self, place: int) -> None:
         self.capture_wanted.emit(place)
