@@ -14007,10 +14007,6 @@ The other program must have ended.</source>
         <translation>剩余 {time}</translation>
     </message>
     <message>
-        <source>{percent}, tool ≤ {speed}</source>
-        <translation>{percent}，工具 ≤ {speed}</translation>
-    </message>
-    <message>
         <source>paused: raise the speed at the top, then hold “Continue” for 1 s</source>
         <translation>已暂停：请先在顶栏调高速度，再按住“继续”1 秒</translation>
     </message>
@@ -14077,6 +14073,14 @@ The other program must have ended.</source>
     <message>
         <source>{done} of the recording</source>
         <translation>已运行录制的 {done}</translation>
+    </message>
+    <message>
+        <source>speed {percent}</source>
+        <translation>速度 {percent}</translation>
+    </message>
+    <message>
+        <source>speed {percent}, tool ≤ {speed}</source>
+        <translation>速度 {percent}，工具 ≤ {speed}</translation>
     </message>
     <message>
         <source>waiting: press “Next step”</source>

@@ -161,7 +161,7 @@ def test_a_pause_holds_the_arm(any_driver):
     assert QToolTip.text() == "Hold it for 1 s, with the mouse or the space bar."
     operator.app_driver.hold_button("run_continue")
     operator.app_driver.run(0.2)
-    assert operator.text("run_text").endswith("moving · 100 %")
+    assert operator.text("run_text").endswith("moving · speed 100 %")
     operator.until_over()
     assert operator.visits(BACK) == 1
 
@@ -174,13 +174,13 @@ def test_a_line_says_how_fast_the_tool_may_be(app_driver):
     operator.send()
     operator.until(lambda: operator.progress.index == 1)
     told = operator.text("run_text").rpartition(" · ")[2]
-    assert told.startswith("20 %, tool ≤ ")
+    assert told.startswith("speed 20 %, tool ≤ ")
     places = [ARM.kinematics.forward(operator.path[-1])[:3]]
     for _ in range(200):
         app_driver.run(0.1)
         places.append(ARM.kinematics.forward(app_driver.firmware.joints_deg)[:3])
     fastest_mm_s = max(math.dist(a, b) / 0.1 for a, b in pairwise(places))
-    shown_mm_s = float(told.removeprefix("20 %, tool ≤ ").removesuffix(" mm/s"))
+    shown_mm_s = float(told.removeprefix("speed 20 %, tool ≤ ").removesuffix(" mm/s"))
     assert shown_mm_s == pytest.approx(fastest_mm_s, rel=0.02)
 
 

@@ -246,9 +246,9 @@ class RunStrip(HasActs, Translated, QWidget):
     def _speed(self, percent: int, tool_mm_s: float) -> str:
         """Return the speed that a motion is measured against."""
         if math.isinf(tool_mm_s):
-            return fmt.percent(percent)
+            return self.tr("speed {percent}").format(percent=fmt.percent(percent))
         figures = {"percent": fmt.percent(percent), "speed": f"{tool_mm_s:.3g} mm/s"}
-        return self.tr("{percent}, tool ≤ {speed}").format(**figures)
+        return self.tr("speed {percent}, tool ≤ {speed}").format(**figures)
 
     def _phase_word(self, progress: Progress) -> str:
         if progress.refusal is not None and progress.refusal.reason == RUN_STOPPED:
