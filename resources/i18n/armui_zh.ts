@@ -14075,6 +14075,10 @@ The other program must have ended.</source>
         <translation>已运行录制的 {done}</translation>
     </message>
     <message>
+        <source>{done} of the inspection</source>
+        <translation>已完成巡检的 {done}</translation>
+    </message>
+    <message>
         <source>speed {percent}</source>
         <translation>速度 {percent}</translation>
     </message>

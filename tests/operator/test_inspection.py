@@ -45,6 +45,7 @@ def begun(driver):
     driver.hold_button(dialog.begin_button)
     driver.run(0.1)
     assert driver.controller.replayer.running
+    assert "% of the inspection" in driver.read("run_text")
     return dialog
 
 

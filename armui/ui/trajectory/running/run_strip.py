@@ -219,6 +219,8 @@ class RunStrip(HasActs, Translated, QWidget):
         if progress.phase is RunPhase.IDLE:
             return ""
         place = self.tr("{done} of the recording")
+        if progress.name == self._controller.inspection.name:
+            place = self.tr("{done} of the inspection")
         if progress.count:
             place = self.tr("point {row} of {count}")
         done = fmt.percent(100.0 * progress.done)
