@@ -99,6 +99,26 @@ def test_out_of_reach_is_refused_and_says_by_how_much(bent):
 
 
 @ONE_IS_ENOUGH
+def test_a_typed_target_is_marked_until_the_arm_is_there(bent):
+    def marked():
+        return [name for name in AXES if bent.find(f"pose_field_{name}").property("typed")]
+
+    assert marked() == []
+    bent.type_into("pose_field_Y", "520")
+    bent.click("move_p_button")
+    bent.run(0.2)
+    assert bent.read("pose_field_Y").startswith("520")
+    assert marked() == ["Y"]
+    bent.type_into("pose_field_Y", "20")
+    bent.click("move_p_button")
+    bent.come_to_rest()
+    assert marked() == []
+    bent.type_into("pose_field_X", "900")
+    bent.click("load_pose_button")
+    assert marked() == []
+
+
+@ONE_IS_ENOUGH
 def test_beyond_a_limit_names_the_joint_and_the_limit(bent):
     bent.type_into("pose_field_X", "-200")
     bent.type_into("pose_field_Y", "-20")

@@ -74,8 +74,15 @@ class FigureField(QLineEdit):
 
     def show_attention(self, *, wanted: bool) -> None:
         """Mark the field, or remove the mark."""
-        if bool(self.property("attention")) != wanted:
-            self.setProperty("attention", wanted)
+        self._mark("attention", wanted=wanted)
+
+    def show_typed(self, *, wanted: bool) -> None:
+        """Mark that the figure is the operator's own, where others follow, or remove the mark."""
+        self._mark("typed", wanted=wanted)
+
+    def _mark(self, name: str, *, wanted: bool) -> None:
+        if bool(self.property(name)) != wanted:
+            self.setProperty(name, wanted)
             repolish(self)
 
     def _unit_px(self) -> int:

@@ -117,9 +117,6 @@ class TargetRow(JogRow):
         kind, name, number: As those of a `JogRow`.
         field: The field of the target.
         measured: Shows the measured value.
-
-    Attributes:
-        own: True if the operator has set the target, so that it no longer follows the arm.
     """
 
     edited = Signal()
@@ -130,13 +127,23 @@ class TargetRow(JogRow):
     ) -> None:
         super().__init__(kind, name, number)
         painting.fill_ground(self)
+        self.field = field
         self.own = False
         self._own_before = False
-        self.field = field
         self.measured = measured
         self.field.value_edited.connect(self._on_field_edited)
         self.field.editingFinished.connect(self._on_field_left)
         self.field.restored.connect(self._on_field_restored)
+
+    @property
+    def own(self) -> bool:
+        """True if the operator has set the target, so that it no longer follows the arm."""
+        return self._own
+
+    @own.setter
+    def own(self, own: bool) -> None:
+        self._own = own
+        self.field.show_typed(wanted=own)
 
     def show_target(self, value: float | None) -> None:
         """Set a target; ``None`` empties the field."""
