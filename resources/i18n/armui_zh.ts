@@ -11414,12 +11414,12 @@ The other program must have ended.</source>
         <translation>等待机械臂</translation>
     </message>
     <message>
-        <source>Another way</source>
-        <translation>另一种选择</translation>
+        <source>“{name}” has not started: the check asks first. Press the highlighted button beside what was found.</source>
+        <translation>“{name}”尚未运行：检查后需要确认。请按检查结果旁的高亮按钮。</translation>
     </message>
     <message>
-        <source>“{name}” has not started: the check has warnings. Answer them on its page.</source>
-        <translation>“{name}”尚未运行：检查有提示，请在其页面上确认。</translation>
+        <source>Another way</source>
+        <translation>另一种选择</translation>
     </message>
 </context>
 <context>

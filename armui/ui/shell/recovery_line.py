@@ -212,7 +212,8 @@ class RecoveryLine(Translated, QWidget):
         text = self._texts[0]
         if self._asks:
             text = self.tr(
-                "“{name}” has not started: the check has warnings. Answer them on its page."
+                "“{name}” has not started: the check asks first. Press the highlighted button "
+                "beside what was found."
             ).format(name=self._asking)
             self._texts = (text,)
         self._fit_text()
