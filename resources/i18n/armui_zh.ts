@@ -7807,10 +7807,6 @@ at 100 %</source>
         <translation>! 未保存</translation>
     </message>
     <message>
-        <source>✓ with warnings</source>
-        <translation>✓ 有警告</translation>
-    </message>
-    <message>
         <source>This was taught on another arm: {taught}. Chosen is {arm}.</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}。当前选择的是 {arm}。</translation>
     </message>

@@ -220,7 +220,7 @@ def test_a_check_that_waits_and_its_path_belong_to_the_chosen_row(driver):
     driver.app_driver.run_until(lambda: "far" in driver.names())
     driver.choose("far")
     driver.app_driver.click(driver.window.findChild(QWidget, "run_send"))
-    driver.app_driver.run_until(lambda: marks(driver)["far"] == "✓ with warnings")
+    driver.app_driver.run_until(lambda: marks(driver)["far"] == "! warnings")
     assert driver.app_driver.program.view._state.preview.path.rows == (0,)
     assert driver.app_driver.find("preview_bar").isVisible()
     driver.choose("one")

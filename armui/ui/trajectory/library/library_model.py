@@ -301,7 +301,7 @@ class LibraryModel(TableModel):
         if mark is None:
             return self.tr("! other arm") if self._is_of_other_arm(entry) else fmt.NOTHING
         if mark == "ok" and entry.name == self._found_of:
-            return self.tr("✓ with warnings")
+            mark = "warnings"  # of the way to its first point
         return words_of[mark]
 
     def flags(self, index: Index) -> Qt.ItemFlag:
