@@ -59,6 +59,19 @@ def test_send_is_in_sight_whatever_is_open_above_and_below_it(pages, size):
     assert is_in_sight(pages, "run_send")
 
 
+@pytest.mark.parametrize("row", [0, 1])
+def test_the_chosen_row_of_the_library_is_in_sight_above_the_drawer(pages, row):
+    pages.driver.ready()
+    pages.driver.window.resize(1280, 800)
+    table = pages.open_library()._table
+    table.selectRow(row)
+    pages.driver.click("events_button")
+    pages.driver.run(0.2)
+    middle = table.visualRect(table.model().index(row, 0)).center()
+    in_window = table.viewport().mapTo(pages.driver.window, middle)
+    assert pages.driver.window.childAt(in_window) is table.viewport()
+
+
 @pytest.mark.parametrize("where", ["library", "editor"])
 def test_the_question_of_a_check_is_in_sight_too(pages, where):
     pages.driver.ready()

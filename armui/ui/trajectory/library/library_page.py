@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QEvent, QModelIndex, QTimer, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
 from armui.arm.refusal import Refusal
@@ -248,6 +248,15 @@ class LibraryPage(Page):
         self.refresh()
         super().showEvent(event)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the chosen row in sight where there is little height: it is what runs."""
+        super().resizeEvent(event)
+        self._show_chosen()
+
+    def _show_chosen(self) -> None:
+        if self._table.chosen():
+            self.bring_into_sight(self._table)  # a list tells the place of its present row
+
     def event(self, event: QEvent) -> bool:
         """Read the folder again when the window is activated."""
         if event.type() == QEvent.Type.WindowActivate:
@@ -289,6 +298,8 @@ class LibraryPage(Page):
         self._estimates.start()
         if changed or choose is not None:
             self._table.choose(names, show=choose is not None)
+            if choose is not None:
+                self._show_chosen()
         self._drop_unchosen()
         self._show_hint()
 
