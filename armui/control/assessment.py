@@ -19,7 +19,9 @@ from armui.control.operating_state import (
     StopState,
 )
 from armui.control.safety import interlocks
+from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO
+from armui.protocol.codes import ControlMode
 
 
 def assess(
@@ -96,6 +98,15 @@ def assess(
         teaching_input=known.link in (LinkState.OFFLINE, LinkState.ONLINE)
         and is_fresh(state.foreign_targets_s, now_s)
         and not _controller_heard(state, now_s),
+        becomes_input=offsets.keeps_input and known.link is LinkState.ONLINE and _role_waits(state),
+    )
+
+
+def _role_waits(state: ArmState) -> bool:
+    """Return whether a role that the arm keeps must wait: standby brings it into force at once."""
+    status = state.status
+    return status is not None and (
+        status.value.control_mode != ControlMode.STANDBY or is_stopped(state)
     )
 
 

@@ -128,6 +128,8 @@ class OperatingState:
         uncommanded: What is measured of an arm that moves though no motor holds it or nothing told
             it to, and of one that is not heard; ``None``: it is held, or measured at rest.
         teaching_input: Commands are heard and no feedback: the arm is a teaching input (0x470).
+        becomes_input: The arm keeps that role and still obeys: standby or a power cycle brings it
+            into force, and the release of a stop leads to standby.
     """
 
     link: LinkState = LinkState.NO_DEVICE
@@ -166,6 +168,7 @@ class OperatingState:
     gripper_heard: bool = False
     generation: Generation | None = None
     teaching_input: bool = False
+    becomes_input: bool = False
     addressing: Addressing = field(default_factory=Addressing)
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)

@@ -7961,6 +7961,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>确认</translation>
     </message>
     <message>
+        <source>Stored: teaching input. The arm still obeys; it goes deaf at the next standby, also when an emergency stop is released, or after a power cycle. To undo it:</source>
+        <translation>已存储：示教输入臂。目前仍响应指令；下次进入待机（解除急停也会进入）或重新上电后，不再听任何指令。如需撤销：</translation>
+    </message>
+    <message>
         <source>In use: —</source>
         <translation>当前使用：—</translation>
     </message>
@@ -11455,6 +11459,10 @@ The other program must have ended.</source>
     <message>
         <source>Waiting for the arm: {what}.</source>
         <translation>等待机械臂：{what}。</translation>
+    </message>
+    <message>
+        <source>Emergency stop. Support the arm: its release drops it and makes it a teaching input, deaf even to the stop.</source>
+        <translation>急停中。请扶住机械臂：解除急停后会下落，并成为示教输入臂，此后急停也无效。</translation>
     </message>
     <message>
         <source>The arm is being asked for its protocol.</source>

@@ -8,6 +8,7 @@ from armui.control.link.link_state import NOT_CONNECTED, LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.operations.started import SETTING_UNANSWERED
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
+from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import LinkageRole
 from armui.protocol.frame import Frame
@@ -118,7 +119,7 @@ def test_a_teaching_input_and_the_way_back(arm):
     arm.linkage.set(INPUT, target_offset=0x10)
     arm.run_until(lambda: arm.controller.operating_state.teaching_input)
     assert arm.firmware.leads
-    assert "linkage_answered_input" in arm.codes()
+    assert "linkage_answered" in arm.codes()
     assert arm.controller.operating_state.link is LinkState.OFFLINE
     accepted(arm.linkage.release())
     wait_for(arm, Addressing())
@@ -170,3 +171,35 @@ def test_what_is_the_same_is_no_wish():
     assert follower.certain  # the old feedback vouches for the old commands
     follower.request(Addressing(0x00, 0x10), 1.0)
     assert not follower.certain
+
+
+def test_a_role_that_waits_is_shown_until_the_release_of_a_stop_brings_it(rig):
+    rig.ready()
+    accepted(rig.controller.motion.jog(1, 0.1))  # CAN control: the role waits for standby
+    rig.run(1.0)
+    accepted(rig.controller.linkage.set(INPUT))
+    rig.run_until(lambda: "linkage_answered" in rig.codes())
+    rig.run(1.0)
+    now = rig.controller.operating_state
+    assert (now.becomes_input, now.teaching_input, now.cannot_move) == (True, False, None)
+    rig.controller.emergency_stop()
+    rig.run_until(lambda: rig.controller.recovery.step.kind is StepKind.STOPPED_INPUT)
+    assert rig.controller.recovery.act(rig.controller.recovery.step) is None
+    rig.run_until(lambda: rig.controller.operating_state.teaching_input)
+    assert not rig.controller.operating_state.becomes_input
+    rig.run(2.0)  # longer than the release is followed
+    assert rig.controller.recovery.act(rig.controller.recovery.step) is None
+    rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
+    rig.run(0.5)
+    now = rig.controller.operating_state
+    assert (now.becomes_input, now.teaching_input) == (False, False)
+
+
+def test_a_role_that_waits_is_taken_back(rig):
+    rig.ready()
+    accepted(rig.controller.motion.jog(1, 0.1))
+    rig.run(1.0)
+    accepted(rig.controller.linkage.set(INPUT))
+    rig.run_until(lambda: rig.controller.operating_state.becomes_input)
+    accepted(rig.controller.linkage.release())
+    rig.run_until(lambda: not rig.controller.operating_state.becomes_input)

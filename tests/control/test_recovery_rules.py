@@ -200,6 +200,9 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
             continue
         state = arm(status(control_mode=mode, arm_status=code), enabled)
         yield state, operating_state(state, stop=stop, stop_unconfirmed=unconfirmed, busy=busy)
+    stopped, keeps_input = arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)), OffsetFollower()
+    keeps_input.keeps_input = True
+    yield stopped, operating_state(stopped, stop=StopState.STOPPED, offsets=keeps_input)
     yield from in_company()
     yield from in_a_cell()
     yield from locked_otherwise()

@@ -5,6 +5,7 @@ import pytest
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
+from tests.accepted import accepted
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
 from tests.operator.test_lit_buttons import lit
@@ -61,15 +62,31 @@ def test_a_teaching_input_is_explained_and_led_back(link):
     link.run_until(lambda: link.find("linkage_back_button").isVisible())
     assert "is a teaching input" in link.read("linkage_teaching_input")
     assert link.read("linkage_in_use") == "In use: —"
-    assert "becomes a teaching input" in link.read("linkage_message")
+    assert "has acknowledged the linkage setting" in link.read("linkage_message")
     assert not lit(link, "linkage_confirm_button")
     link.click("linkage_back_button")
     link.run_until(lambda: not link.find("linkage_back_button").isVisible())
-    assert "becomes a teaching input" not in link.read("linkage_message")
+    assert "has acknowledged" not in link.read("linkage_message")
     assert link.find("linkage_output").isChecked()
     assert not lit(link, "linkage_confirm_button")
     assert sent(link)[-1].data[:4] == bytes.fromhex("FC 00 00 00")
     assert not link.firmware.leads
+
+
+@ONE_IS_ENOUGH
+def test_a_role_that_waits_for_standby_stays_visible(link):
+    link.enable_by_hand()
+    accepted(link.controller.motion.jog(1, 0.1))
+    link.run(1.0)
+    link.click("linkage_input")
+    link.click("linkage_confirm_button")
+    link.confirm()
+    link.run_until(lambda: link.find("linkage_back_button").isVisible())
+    link.run(1.0)
+    assert "The arm still obeys" in link.read("linkage_teaching_input")
+    link.controller.emergency_stop()
+    link.run_until(lambda: link.find("recovery_hold_button").isVisible())
+    assert "deaf even to the stop" in link.read("recovery_text")
 
 
 @ONE_IS_ENOUGH

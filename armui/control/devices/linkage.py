@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Final
 
 from armui.arm.figures import OneOf
@@ -30,13 +31,6 @@ LINKAGE_ANSWERED = Notice(
     "linkage_answered",
     "The arm has acknowledged the linkage setting. It takes effect in standby, or after a "
     "power cycle.",
-    Level.INFO,
-    EventKind.RESULT,
-)
-LINKAGE_ANSWERED_INPUT = Notice(
-    "linkage_answered_input",
-    "The arm has answered: it becomes a teaching input. Its feedback ends and it can be led "
-    "by hand.",
     Level.INFO,
     EventKind.RESULT,
 )
@@ -134,7 +128,6 @@ class LinkageControl(AnsweredPart, ControllerPart):
             context.clock(),
             ends_input=context.operating_state().teaching_input,
         )
-        by_input = role is LinkageRole.TEACHING_INPUT
         self._pending.begin(
             started,
             Transaction(
@@ -145,10 +138,10 @@ class LinkageControl(AnsweredPart, ControllerPart):
             ),
             (LINKAGE_SENT, {}),
             EndNotices(
-                (LINKAGE_ANSWERED_INPUT if by_input else LINKAGE_ANSWERED, {}),
+                (LINKAGE_ANSWERED, {}),
                 lambda refusal: (LINKAGE_FAILED, {"reason": refusal}),
                 Ending.ANSWERED,
-                self._note_answer,
+                partial(self._note_answer, role),
             ),
         )
         context.refresh()
@@ -157,10 +150,11 @@ class LinkageControl(AnsweredPart, ControllerPart):
         """Make the arm a motion output arm without offsets again (0xFC)."""
         return self.set(LinkageRole.MOTION_OUTPUT)
 
-    def _note_answer(self) -> bool:
+    def _note_answer(self, role: LinkageRole) -> bool:
         """Note the answer; return whether the offsets asked for are in use already."""
         offsets = self._context.connection.offsets
         offsets.answered(self._context.clock())
+        offsets.keeps_input = role is LinkageRole.TEACHING_INPUT
         return offsets.requested is None
 
     # A part of the controller -----------------------------------------------------------------
@@ -168,6 +162,8 @@ class LinkageControl(AnsweredPart, ControllerPart):
     def follow_arm(self) -> None:
         """Tell the operator when the arm is heard under other identifiers."""
         offsets = self._context.connection.offsets
+        if self._context.operating_state().teaching_input:
+            offsets.keeps_input = False  # in force: what is heard tells it from here on
         if (offsets.addressing, offsets.control_known) == (self._used, self._was_known):
             return
         self._used, self._was_known = offsets.addressing, offsets.control_known

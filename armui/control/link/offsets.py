@@ -48,12 +48,15 @@ class OffsetFollower:
         control_known: True if the arm is known to take commands under them: false for an arm that
             was found with shifted feedback and has not been set since.
         requested: The offsets that were sent and may come into use at any time.
+        keeps_input: True if the arm has answered that it keeps the role of a teaching input, and
+            has not been heard as one since.
     """
 
     def __init__(self, addressing: Addressing = Addressing()) -> None:  # noqa: B008 - frozen
         self.addressing = addressing
         self.control_known = True
         self.requested: RequestedOffset | None = None
+        self.keeps_input = False
         self._listening_since_s: float | None = None
 
     @property

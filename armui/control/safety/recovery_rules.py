@@ -174,6 +174,12 @@ _RULES: Final = (
     _Rule(StepKind.LISTEN_ONLY, Level.INFO, Action.CONNECT, when_now(lambda now: now.listens_only)),
     _Rule(StepKind.WORKING, Level.INFO, None, working),
     _Rule(
+        StepKind.STOPPED_INPUT,
+        Level.WARNING,
+        Action.RESUME,
+        when_now(lambda now: now.stop is StopState.STOPPED and now.becomes_input),
+    ),
+    _Rule(
         StepKind.STOPPED,
         Level.WARNING,
         Action.RESUME,

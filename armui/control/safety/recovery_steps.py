@@ -187,6 +187,11 @@ class StepKind(enum.Enum):
     STOPPED = StepText(
         "stopped", "Emergency stop. Support the arm: its release cuts the power and it drops."
     )
+    STOPPED_INPUT = StepText(
+        "stopped_input",
+        "Emergency stop. Support the arm: its release drops it and makes it a teaching input, deaf "
+        "even to the stop.",
+    )
     HANDSHAKE = StepText("handshake", "The arm is being asked for its protocol.")
     STATUS_UNKNOWN = StepText(
         "status_unknown",

@@ -158,9 +158,24 @@ class LinkagePanel(Panel):
 
     def _show_all(self) -> None:
         operating_state = self._operating_state
-        teaching = operating_state.teaching_input
-        self._teaching.setVisible(teaching)
-        self.back.setVisible(teaching)
+        teaching, becomes = operating_state.teaching_input, operating_state.becomes_input
+        if becomes:
+            self._teaching.setText(
+                self.tr(
+                    "Stored: teaching input. The arm still obeys; it goes deaf at the next "
+                    "standby, also when an emergency stop is released, or after a power cycle. "
+                    "To undo it:"
+                )
+            )
+        elif teaching:
+            self._teaching.setText(
+                self.tr(
+                    "The arm on this bus is a teaching input: it sends commands for a following "
+                    "arm and no feedback. It obeys nothing but this:"
+                )
+            )
+        self._teaching.setVisible(teaching or becomes)
+        self.back.setVisible(teaching or becomes)
         self.show_acts()
         self._show_in_use()
         self._show_message()
@@ -219,12 +234,6 @@ class LinkagePanel(Panel):
             self._boxes[name].setAccessibleName(text)
         self._boxes["target"].setToolTip(
             self.tr("Where a teaching input sends its commands: the control offset of its follower")
-        )
-        self._teaching.setText(
-            self.tr(
-                "The arm on this bus is a teaching input: it sends commands for a following arm "
-                "and no feedback. It obeys nothing but this:"
-            )
         )
         self._note.setText(
             self.tr("The arm cannot be asked for this setting: armui uses the IDs it hears.")

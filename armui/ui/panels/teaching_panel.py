@@ -62,6 +62,7 @@ _NUMBER: Final[Mapping[StepKind, int]] = {
     StepKind.DRAG_MODE_AT_REST: 2,
     StepKind.STOP_REQUESTED: 2,
     StepKind.STOPPED: 3,
+    StepKind.STOPPED_INPUT: 3,
     StepKind.MOTORS_OFF: 4,
     StepKind.MOTORS_MIXED: 4,
 }
