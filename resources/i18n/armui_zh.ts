@@ -8990,6 +8990,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂仍处于急停状态。请检查机械臂，然后再按住“解除急停”。</translation>
     </message>
     <message>
+        <source>Release was sent, and the arm&apos;s status was not heard after it: whether the stop is over is not known. Look at the line above the panels.</source>
+        <translation>解除急停已发送，但之后未收到机械臂状态：急停是否已解除尚不可知。请看面板上方的提示行。</translation>
+    </message>
+    <message>
         <source>The arm is offline: nothing is heard from it, and it may still be moving. Check its power, the CAN cable and the bit rate.</source>
         <translation>机械臂离线：没有收到反馈，它可能仍在运动。请检查机械臂电源、CAN 线和波特率。</translation>
     </message>

@@ -188,9 +188,11 @@ def test_a_role_that_waits_is_shown_until_the_release_of_a_stop_brings_it(rig):
     rig.run_until(lambda: rig.controller.operating_state.teaching_input)
     assert not rig.controller.operating_state.becomes_input
     rig.run(2.0)  # longer than the release is followed
+    assert "resume_unheard" in rig.codes()
     assert rig.controller.recovery.act(rig.controller.recovery.step) is None
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
     rig.run(0.5)
+    assert not {"resume_failed", "stop_undone"} & set(rig.codes())
     now = rig.controller.operating_state
     assert (now.becomes_input, now.teaching_input) == (False, False)
 

@@ -7,6 +7,7 @@ from armui.control.events import Level
 from armui.control.operating_state import StopState
 from armui.ui.dialogs.settings import SettingsDialog
 from tests.accepted import accepted
+from tests.faulty_arm import HardOfHearing
 from tests.moments import now
 from tests.sim.talk import RESUME
 
@@ -46,6 +47,18 @@ def test_a_resume_from_here_is_none(stopped):
     stopped.run(1.0)
     assert "stop_undone" not in stopped.codes()
     assert not stopped.firmware.condition.stopped
+
+
+def test_a_resume_from_here_that_was_in_vain_excuses_nobody(stopped, other_host):
+    ear = HardOfHearing(stopped.firmware)
+    ear.deaf_to = {0x150}
+    accepted(stopped.controller.motors.resume())
+    stopped.run_until(lambda: "resume_failed" in stopped.codes())
+    stopped.run(0.1)  # heard stopped after it
+    ear.deaf_to = set()
+    other_host.say(RESUME)
+    stopped.run(0.5)
+    assert "stop_undone" in stopped.codes()
 
 
 def test_another_hosts_stop_may_be_undone_by_it(rig, other_host):

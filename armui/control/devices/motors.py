@@ -153,7 +153,9 @@ class Motors(RequestingPart[Busy]):
         context = self._context
         notices = EndNotices(
             reports.on_motors_done(busy, joints),
-            lambda _reason: reports.on_motors_failed(busy, context.state(), joints),
+            lambda _reason: reports.on_motors_failed(
+                busy, context.state(), joints, context.clock()
+            ),
         )
         self._pending.begin(busy, started, Request(context, frames, seen), notices, answer=answer)
         context.refresh()

@@ -24,6 +24,13 @@ RESUME_FAILED = Notice(
     Level.FAULT,
     EventKind.RESULT,
 )
+RESUME_UNHEARD = Notice(
+    "resume_unheard",
+    "Release was sent, and the arm's status was not heard after it: whether the stop is over is "
+    "not known. Look at the line above the panels.",
+    Level.WARNING,
+    EventKind.RESULT,
+)
 ENABLED = Notice("enabled", "All six motors are enabled.", Level.DONE, EventKind.RESULT)
 ENABLE_FAILED = Notice(
     "enable_failed",
@@ -108,10 +115,11 @@ def on_motors_done(busy: Busy, joints: Sequence[int]) -> Report:
     return (ENABLED_JOINT if wanted else DISABLED_JOINT), {"joint": joints[0]}
 
 
-def on_motors_failed(busy: Busy, state: ArmState, joints: Sequence[int]) -> Report:
+def on_motors_failed(busy: Busy, state: ArmState, joints: Sequence[int], now_s: float) -> Report:
     """Return the report of motors that did not switch, or of an arm that stays stopped."""
     if busy is Busy.RESUMING:
-        return RESUME_FAILED, {}
+        heard = state.status is not None and state.status.fresh(now_s)
+        return (RESUME_FAILED if heard else RESUME_UNHEARD), {}
     wanted = busy is Busy.ENABLING
     enabled = state.enabled()
     left = [joint for joint in joints if enabled[joint - 1] is not wanted]

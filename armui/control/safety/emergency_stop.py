@@ -135,23 +135,34 @@ class StopWatch:
 
     def __init__(self) -> None:
         self.holds = False
+        self._resumed_s: float | None = None
 
     def confirmed(self) -> None:
         """Note that the arm has confirmed a stop of the operator."""
         self.holds = True
+        self._resumed_s = None
 
     def undone(self, state: ArmState, now_s: float, *, resuming: bool) -> bool:
         """Return whether somebody else has just undone the stop.
+
+        A resume of this program may be why as long as no status later than it says «stopped».
 
         Args:
             state: The arm as heard.
             now_s: Monotonic time.
             resuming: True if this program's own resume is under way.
         """
-        if not self.holds or not status_is_fresh(state, now_s) or is_stopped(state):
+        if resuming:
+            self._resumed_s = now_s
+        status = state.status
+        if not self.holds or status is None or not status.fresh(now_s):
+            return False
+        if is_stopped(state):
+            if self._resumed_s is not None and status.at_s > self._resumed_s:
+                self._resumed_s = None
             return False
         self.holds = False
-        return not resuming
+        return self._resumed_s is None
 
     def reset(self) -> None:
         """Forget the stop, because another connection begins."""
