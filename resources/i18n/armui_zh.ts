@@ -11437,8 +11437,8 @@ The other program must have ended.</source>
         <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
     </message>
     <message>
-        <source>The arm is a teaching input: it sends commands and obeys none. Make it a motion output again.</source>
-        <translation>该机械臂是示教输入臂：只发送控制指令，不响应控制指令。请恢复为运动输出臂。</translation>
+        <source>The arm is a teaching input: it sends commands and obeys none. Hold it: as a motion output again its six motors hold it under power, or let it drop.</source>
+        <translation>该机械臂是示教输入臂：只发送控制指令，不响应控制指令。请扶住：恢复为运动输出臂后，六个电机带电保持，或机械臂会下落。</translation>
     </message>
     <message>
         <source>The arm has NOT confirmed the stop; it is sent again and again. Cut its power if it moves.</source>

@@ -189,9 +189,13 @@ def test_a_role_that_waits_is_shown_until_the_release_of_a_stop_brings_it(rig):
     assert not rig.controller.operating_state.becomes_input
     rig.run(2.0)  # longer than the release is followed
     assert "resume_unheard" in rig.codes()
+    assert "its six motors hold it under power" in rig.controller.recovery.step.kind.value.source
+    ear = HardOfHearing(rig.firmware)
     assert rig.controller.recovery.act(rig.controller.recovery.step) is None
     rig.run_until(lambda: rig.controller.operating_state.link is LinkState.ONLINE)
     rig.run(0.5)
+    assert all(rig.firmware.enabled), "the arm's own doing: 0x471 was not sent"
+    assert 0x471 not in {frame.arbitration_id for frame in ear.heard}
     assert not {"resume_failed", "stop_undone"} & set(rig.codes())
     now = rig.controller.operating_state
     assert (now.becomes_input, now.teaching_input) == (False, False)

@@ -164,8 +164,8 @@ class StepKind(enum.Enum):
     )
     TEACHING_INPUT = StepText(
         "teaching_input",
-        "The arm is a teaching input: it sends commands and obeys none. Make it a motion output "
-        "again.",
+        "The arm is a teaching input: it sends commands and obeys none. Hold it: as a motion "
+        "output again its six motors hold it under power, or let it drop.",
     )
     STOP_UNCONFIRMED = StepText(
         "stop_unconfirmed",
