@@ -306,8 +306,13 @@ def test_teaching_is_left_one_step_at_a_time(taught):
 def test_a_stop_before_the_arm_was_led_back_ticks_no_step_that_was_not_taken(taught):
     steps = taught.find("teaching_exit_steps")
     taught.controller.emergency_stop()
-    taught.run_until(lambda: due(taught) == 3)
-    assert [sign.text() for sign in steps._signs] == ["–", "✓", "▸", ""]
+    taught.run_until(lambda: taught.find("recovery_hold_button").isVisible())
+    assert [sign.text() for sign in steps._signs] == ["▸", "", "", ""]
+    assert "does not end drag teaching" in steps._title.text()
+    taught.hold_button("recovery_hold_button")
+    taught.run_until(lambda: "To leave drag teaching" in steps._title.text())
+    assert [sign.text() for sign in steps._signs] == ["▸", "", "", ""]
+    assert taught.firmware.condition.control_mode is ControlMode.TEACHING
 
 
 def test_closing_while_a_hand_is_recorded_asks(enabled):

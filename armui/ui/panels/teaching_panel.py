@@ -70,6 +70,7 @@ _NUMBER: Final[Mapping[StepKind, int]] = {
 arm's feedback leads from one to the next.
 """
 
+_STOPPED: Final = frozenset({StepKind.STOP_REQUESTED, StepKind.STOPPED, StepKind.STOPPED_INPUT})
 _OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING, StepKind.NO_MOTION}
 _PHASES: Final = Texts("TeachingPhase") | {
     TeachingPhase.OFF: "Not in drag teaching",
@@ -94,6 +95,7 @@ class TeachingExitSteps(QFrame):
         self.setObjectName("teaching_exit_steps")
         self._leaving = False
         self._led = False
+        self._stopped_early = False
         self._due = 0
         self._title = QLabel()
         self._title.setWordWrap(True)
@@ -120,20 +122,30 @@ class TeachingExitSteps(QFrame):
             self._leaving = True
         elif step.kind in _OVER:
             self._leaving = False
-        self._due = _NUMBER.get(step.kind, self._due)
-        if step.kind is StepKind.DRAG_MODE_AT_REST or self._due == 1:
-            self._led = self._due == 2
+        due = _NUMBER.get(step.kind, self._due)
+        if step.kind is StepKind.DRAG_MODE_AT_REST or due == 1:
+            self._led = due == 2
+        self._stopped_early = step.kind in _STOPPED and not self._led
+        self._due = 1 if self._stopped_early else due
         self.setVisible(self._leaving)
         self._mark()
 
     def _mark(self) -> None:
+        self._title.setText(
+            self.tr(
+                "Stopped before the arm was led back: that does not end drag teaching. Release it "
+                "in the line above the panels, then take these steps:"
+            )
+            if self._stopped_early
+            else self.tr("To leave drag teaching, take the steps in the line above the panels:")
+        )
         for number, label in enumerate(self._lines, start=1):
             font = label.font()
             font.setBold(number == self._due)
             label.setFont(font)
             sign = "✓" if number < self._due else "▸" if number == self._due else ""
-            if number == 1 < self._due and not self._led:
-                sign = "–"  # a stop came first: the arm is led back after it
+            if number < min(self._due, 3) and not self._led:
+                sign = "–"  # released near its rest, where a stop came first
             self._signs[number - 1].setText(sign)
             label.setText(f"{number}. {self._words()[number - 1]}")
 
@@ -151,9 +163,6 @@ class TeachingExitSteps(QFrame):
 
     def retranslate_ui(self) -> None:
         """Set its texts in the operator's language."""
-        self._title.setText(
-            self.tr("To leave drag teaching, take the steps in the line above the panels:")
-        )
         self._mark()
 
 
