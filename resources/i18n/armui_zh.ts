@@ -15917,6 +15917,10 @@ The other program must have ended.</source>
 <context>
     <name>TeachingExitSteps</name>
     <message>
+        <source>Stopped before the arm was led back: that does not end drag teaching. Release it in the line above the panels, then take these steps:</source>
+        <translation>尚未拖回即已急停：这样不能退出拖动示教。请先在面板上方的提示行解除急停，再按以下步骤操作：</translation>
+    </message>
+    <message>
         <source>End what is under way; lead every joint near its zero by hand.</source>
         <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
     </message>
