@@ -73,12 +73,12 @@ def slow(slow_driver):
 
 
 def test_what_the_arm_did_is_kept_as_a_recording(operator):
+    curves = operator.child("recorded_curves")
+    empty = curves.grab().toImage()
     operator.click("record")
     operator.app_driver.run(1.0)
     assert operator.text("record_state").startswith("Recording: ")
     assert operator.text("record") == "Stop recording"
-    curves = operator.child("recorded_curves")
-    empty = curves.grab().toImage()
     operator.window._show_growing()  # what its timer does
     assert curves.grab().toImage() != empty
     QTest.mousePress(curves, Qt.MouseButton.LeftButton, pos=curves.rect().center())
