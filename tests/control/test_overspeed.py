@@ -182,6 +182,16 @@ def test_slower_still_is_allowed_from_where_it_is_by_then(motion):
     assert not any(said)
 
 
+@pytest.mark.parametrize(("measurements", "excused"), [(1, False), (4, False), (5, True)])
+def test_only_a_speed_measured_over_half_the_time_counts_as_that_of_before(
+    motion, measurements, excused
+):
+    """Five measurements are 4/64 s apart, more than 0.05 s; four are 3/64 s."""
+    motion.turn(100.0, measurements, percent=100)
+    motion.watch.change_speed()
+    assert (motion.turn(100.0, 8, percent=5) is None) is excused
+
+
 def test_no_more_is_allowed_than_was_before_the_speed_was_lowered(motion):
     """What was too fast already is so still: at 20 % that is 32 °/s."""
     motion.turn(40.0, 7)
