@@ -97,7 +97,7 @@ SHOWN = {
     "run.start": Shown("library", "run_send", "library", "“Run” runs", "“发送”运行"),
     "run.pause": Shown("run", "run_pause", "library", "paused", "暂停"),
     "run.go_on": Shown("run_paused", "run_continue", "library", "gone on with (held)", "按住继续"),
-    "replay.start": Shown("library", "run_send", "recording", "replayed", "重放"),
+    "replay.start": Shown("library", "run_send", "recording", "replayed", "回放"),
     "replay.pause": Shown("replay_run", "run_pause", "recording", "paused", "暂停"),
     "replay.go_on": Shown(
         "replay_paused", "run_continue", "recording", "gone on with (held)", "按住继续"

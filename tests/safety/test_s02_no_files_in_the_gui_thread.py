@@ -95,6 +95,7 @@ def live_driver(qapp, request, tmp_path, workers):
     name = request.node.nodeid
     app_driver = AppDriver(qapp, name, settings, Generation.TWO, Lent(process), files=files)
     yield app_driver
+    app_driver.window.keep_work()  # its timer could outlive the thread, which ends with the module
     app_driver.close()
 
 
