@@ -8,11 +8,7 @@ from typing import Any
 
 import pytest
 
-from armui.setting_checks import (
-    JOG_STEP_NOT_A_NUMBER,
-    JOG_STEP_OUT_OF_RANGE,
-    TOOL_NOT_POSSIBLE,
-)
+from armui.setting_checks import JOG_STEP_NOT_A_NUMBER, JOG_STEP_OUT_OF_RANGE, TOOL_NOT_POSSIBLE
 from armui.setting_fields import DECLARED, Settings, check
 from armui.settings import SETTINGS_NOT_SAVED, SettingsStore, default_path
 

@@ -154,9 +154,7 @@ def fitting_models(
 
 
 def _fitting(
-    joints_deg: Sequence[float],
-    pose: Sequence[float],
-    zeros: Callable[[ModelData], Iterable[bool]],
+    joints_deg: Sequence[float], pose: Sequence[float], zeros: Callable[[ModelData], Iterable[bool]]
 ) -> frozenset[FittingArm]:
 
     told = Pose(*pose)

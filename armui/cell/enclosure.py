@@ -129,9 +129,7 @@ def _openings(name: str, opening_mm: float) -> Sequence[float]:
 
 
 @cache
-def _read(
-    model: PiperModel,
-) -> tuple[tuple[str, tuple[float, ...], tuple[float, ...], float], ...]:
+def _read(model: PiperModel) -> tuple[tuple[str, tuple[float, ...], tuple[float, ...], float], ...]:
     """Return link, ends and radius of each capsule in a model's file."""
     path = model_folder(model) / "enclosure.json"
     try:

@@ -12,12 +12,7 @@ from armui.arm.state import ArmState, Six, is_fresh
 from armui.control.authority import Authority
 from armui.control.link.link_state import LinkState, why_unreachable
 from armui.control.link.offsets import OffsetFollower
-from armui.control.operating_state import (
-    BUSY,
-    RUN_UNDER_WAY,
-    OperatingState,
-    StopState,
-)
+from armui.control.operating_state import BUSY, RUN_UNDER_WAY, OperatingState, StopState
 from armui.control.safety import interlocks
 from armui.control.safety.emergency_stop import is_stopped
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN, SPEED_ZERO

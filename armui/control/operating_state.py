@@ -13,11 +13,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import Six, Status
 from armui.control.cell.intrusion import AreaIntrusion
-from armui.control.link.link_state import (
-    NOT_CONNECTED,
-    LinkState,
-    why_unreachable,
-)
+from armui.control.link.link_state import NOT_CONNECTED, LinkState, why_unreachable
 from armui.control.motion.motion_command import Hold, Mover, why_held
 from armui.control.run.progress import RunPhase
 from armui.control.safety.reference_status import ReferenceStatus

@@ -7,12 +7,7 @@ from typing import Final
 
 from armui.arm.device import has_wire
 from armui.doctor.facts import ArmFacts, Diagnosis, DiagnosisLevel, HeardFacts, LimitFacts, OfArm
-from armui.protocol.firmware_version import (
-    RECOMMENDED,
-    FirmwareBug,
-    FirmwareVersion,
-    quirks_of,
-)
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareBug, FirmwareVersion, quirks_of
 
 BUS_BACKEND_MISSING = OfArm("bus_backend_missing", "{device}: the package {package} is missing.")
 BUS_BACKEND_NOT_PACKED = OfArm(

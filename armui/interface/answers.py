@@ -79,9 +79,7 @@ def forward(controller: ArmController, joints_deg: Sequence[float]) -> Json:
 
 
 def inverse(
-    controller: ArmController,
-    flange_pose_mm_deg: Sequence[float],
-    near_deg: Sequence[float] | None,
+    controller: ArmController, flange_pose_mm_deg: Sequence[float], near_deg: Sequence[float] | None
 ) -> Json:
     """Return the angles of a pose within the limits, nearest first to others, or the measured."""
     from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy

@@ -117,9 +117,7 @@ def offered(operations: Mapping[str, BoundOperation]) -> Iterator[BoundOperation
     return (bound for name, bound in operations.items() if name not in WITHOUT)
 
 
-def parameters_of(
-    method: Callable[..., object],
-) -> Sequence[tuple[inspect.Parameter, object]]:
+def parameters_of(method: Callable[..., object]) -> Sequence[tuple[inspect.Parameter, object]]:
     """Return the parameters of a method that a client names, each with its annotation."""
     return _parameters(getattr(method, "__func__", method))
 

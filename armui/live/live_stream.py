@@ -21,13 +21,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from armui.arm.models import model_data
 from armui.control.events import Event
 from armui.interface.messages import english
-from armui.live.messages import (
-    LIVE_ENDED,
-    LIVE_NOT_SERVED,
-    LiveArm,
-    LiveState,
-    LiveView,
-)
+from armui.live.messages import LIVE_ENDED, LIVE_NOT_SERVED, LiveArm, LiveState, LiveView
 from armui.session.recording.lane import FrameLane
 from armui.system.helper_process import OURS
 from armui.telemetry.events import Level
@@ -195,10 +189,7 @@ class LiveStream(QObject):
     _told = Signal(object, object)
 
     def __init__(
-        self,
-        controller: ArmController,
-        clock: Callable[[], float],
-        parent: QObject | None = None,
+        self, controller: ArmController, clock: Callable[[], float], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._controller = controller

@@ -17,12 +17,7 @@ from armui.bus.adapters import explain
 from armui.record.listening import SIMULATED, BusListener, opened
 from armui.session.recording.collector import Collector, FrameRing
 from armui.session.recording.counted import counted, keep
-from armui.session.recording.kinds import (
-    RecordingFormat,
-    is_name,
-    name_for,
-    why_not_written,
-)
+from armui.session.recording.kinds import RecordingFormat, is_name, name_for, why_not_written
 from armui.session.recording.lane import FrameLane
 from armui.session.recording.recorded_session import RecordedSession
 from armui.session.recording.session_recording import SessionRecording

@@ -131,9 +131,7 @@ def _fitting(
 # Which generation the arm of a log speaks, found out from the log's beginning.
 
 
-def detect_generation(
-    batches: Iterator[FrameBatch],
-) -> tuple[list[FrameBatch], GenerationVerdict]:
+def detect_generation(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], GenerationVerdict]:
     """Read a log's beginning until its generation is certain.
 
     Returns:

@@ -6,12 +6,7 @@ from dataclasses import dataclass
 
 from armui.arm.models import ModelData, model_data
 from armui.kinematics.geometry import Geometry
-from armui.protocol.firmware_version import (
-    RECOMMENDED,
-    FirmwareQuirks,
-    FirmwareVersion,
-    quirks_of,
-)
+from armui.protocol.firmware_version import RECOMMENDED, FirmwareQuirks, FirmwareVersion, quirks_of
 from armui.protocol.generation import PiperModel
 from armui.sim.mechanics.rigid_body import RigidLink, rigid_links
 

@@ -49,11 +49,7 @@ class CommandProcess:
     """
 
     def __init__(
-        self,
-        arguments: Sequence[str],
-        tell: Callable[[Any], object],
-        *,
-        nicer_by: int = 0,
+        self, arguments: Sequence[str], tell: Callable[[Any], object], *, nicer_by: int = 0
     ) -> None:
         self._command = [*this_program(), *arguments]
         self._tell = tell

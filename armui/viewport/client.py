@@ -12,13 +12,7 @@ from PySide6.QtGui import QImage
 
 from armui.viewport import messages
 from armui.viewport.messages import BYTES_PER_PIXEL
-from armui.viewport.process_link import (
-    ENTRY,
-    Lost,
-    PictureFrame,
-    ProcessLink,
-    RenderRequest,
-)
+from armui.viewport.process_link import ENTRY, Lost, PictureFrame, ProcessLink, RenderRequest
 from armui.viewport.watch import LONGEST_S, PictureAge
 
 if TYPE_CHECKING:

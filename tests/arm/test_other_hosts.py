@@ -4,13 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armui.arm.other_hosts import (
-    MOTION_IDS,
-    FrameSeries,
-    OtherHosts,
-    OtherTraffic,
-    is_arms_answer,
-)
+from armui.arm.other_hosts import MOTION_IDS, FrameSeries, OtherHosts, OtherTraffic, is_arms_answer
 from armui.protocol.addressing import OFFSETS
 
 BEGIN_S = 0.25

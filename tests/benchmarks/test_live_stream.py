@@ -16,12 +16,7 @@ import numpy as np
 import pytest
 
 from tests.benchmarks import rig
-from tests.benchmarks.test_stop_latency import (
-    PRESSES,
-    other_process,
-    press_again_and_again,
-    timed,
-)
+from tests.benchmarks.test_stop_latency import PRESSES, other_process, press_again_and_again, timed
 from tests.live.viewer import Viewer
 from tests.waiting import wait_until
 

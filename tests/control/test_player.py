@@ -19,12 +19,7 @@ from armui.kinematics.arm_kinematics import Kinematics
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import Generation
 from armui.sim.faults import schedule as faults
-from armui.trajectory.points.program import (
-    GripperAngle,
-    GripperOpening,
-    LightAction,
-    Waypoint,
-)
+from armui.trajectory.points.program import GripperAngle, GripperOpening, LightAction, Waypoint
 from tests.accepted import accepted
 from tests.family import PIPER
 from tests.faulty_arm import HardOfHearing

@@ -14,15 +14,7 @@ from armui.control.operations.started import (
     SETTING_UNANSWERED,
 )
 from armui.control.requests.transactions import Transaction
-from tests.control.transaction_line import (
-    BEGIN_S,
-    INDEX,
-    NO,
-    OTHER_INDEX,
-    STEP_S,
-    frame,
-    question,
-)
+from tests.control.transaction_line import BEGIN_S, INDEX, NO, OTHER_INDEX, STEP_S, frame, question
 from tests.moments import now
 
 # Questions ----------------------------------------------------------------------------------------

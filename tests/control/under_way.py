@@ -11,13 +11,7 @@ from armui.control.operations.started import Started
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
 from armui.kinematics.axes import JogFrame
-from armui.protocol.codes import (
-    EndLoad,
-    LinkageRole,
-    MoveMode,
-    TeachingState,
-    TrajectoryCommand,
-)
+from armui.protocol.codes import EndLoad, LinkageRole, MoveMode, TeachingState, TrajectoryCommand
 from armui.trajectory.points.program import Waypoint
 from tests.accepted import accepted
 from tests.arm_rig import ArmRig

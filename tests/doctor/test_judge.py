@@ -23,13 +23,7 @@ from armui.doctor.facts import (
     SerialPortFacts,
     UsbAdapterFacts,
 )
-from armui.doctor.judge import (
-    an_arm_answers,
-    judge,
-    judge_can,
-    judge_program,
-    judge_screen,
-)
+from armui.doctor.judge import an_arm_answers, judge, judge_can, judge_program, judge_screen
 from armui.doctor.judge_heard import judge_heard
 from armui.doctor.report import Words
 from armui.system.plain_words import LANGUAGES, translation

@@ -7,12 +7,7 @@ import json
 import pytest
 
 from armui.doctor.judge import LINK_DOWN
-from armui.doctor.report import (
-    Words,
-    as_json,
-    as_text,
-    findings_of_json,
-)
+from armui.doctor.report import Words, as_json, as_text, findings_of_json
 from armui.system.plain_words import language_of_system, translation
 
 FINDING = LINK_DOWN("sudo ip link set can0 up", channel="can0")

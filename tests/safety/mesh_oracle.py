@@ -212,10 +212,7 @@ class MeshOracle:
     """
 
     def __init__(
-        self,
-        *zones: Zone,
-        model: PiperModel = PiperModel.PIPER,
-        cell: Cell | None = None,
+        self, *zones: Zone, model: PiperModel = PiperModel.PIPER, cell: Cell | None = None
     ) -> None:
         self._description = description(model)
         self.parts = (*self._description.parts, *_carried(cell))

@@ -12,13 +12,7 @@ from armui.cell.cell import Cell
 from armui.cell.work_area import AreaBox, Zone
 from tests.accepted import accepted
 from tests.cell.areas import area_of, wall
-from tests.safety.arm_oracle import (
-    Array,
-    depth_beyond_mm,
-    depth_in_box_mm,
-    height_mm,
-    tip_of,
-)
+from tests.safety.arm_oracle import Array, depth_beyond_mm, depth_in_box_mm, height_mm, tip_of
 from tests.safety.operation_driver import Driver
 from tests.safety.operations_table import BENT_DEG, Joints, Way
 

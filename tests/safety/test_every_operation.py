@@ -729,9 +729,7 @@ def test_the_way_out_of_anothers_mode_is_not_revived(new_driver: NewDriver, pres
     assert motion(driver.frames[before:]) == []
 
 
-def test_an_exception_in_the_way_out_of_anothers_mode_sends_nothing(
-    new_driver: NewDriver,
-) -> None:
+def test_an_exception_in_the_way_out_of_anothers_mode_sends_nothing(new_driver: NewDriver) -> None:
     way = Midway("armui.control.safety.mode_exit")
     with (driver := in_anothers_mode(new_driver)).failing(way):
         driver.leave_mode()

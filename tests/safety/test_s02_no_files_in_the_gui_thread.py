@@ -6,14 +6,7 @@ from concurrent.futures import Executor
 import pytest
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction, QDesktopServices
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QDialog,
-    QMenu,
-    QTableView,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QMenu, QTableView, QWidget
 from shiboken6 import isValid
 
 from armui.app import load_pages

@@ -16,14 +16,7 @@ from armui.gamepad.dead_man import HoldPhase
 from tests.company import OtherHost
 from tests.control.jogger import bend, rest_s
 from tests.gamepad.pads import MOUSE, OTHER_PAD, PAD, switch_on
-from tests.gamepad.piloting import (
-    drive,
-    is_sent_nothing,
-    pass_time,
-    pick_up,
-    pilot,
-    reasons,
-)
+from tests.gamepad.piloting import drive, is_sent_nothing, pass_time, pick_up, pilot, reasons
 
 # What a hold ends with ----------------------------------------------------------------------------
 

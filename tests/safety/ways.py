@@ -56,12 +56,7 @@ from armui.trajectory.planning.planning import (
     PATH_OUT_OF_REACH,
     PATH_SINGULAR,
 )
-from armui.trajectory.points.program import (
-    GripperAngle,
-    GripperOpening,
-    Trajectory,
-    Waypoint,
-)
+from armui.trajectory.points.program import GripperAngle, GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
 from armui.ui.words.findings import finding as finding_text

@@ -118,9 +118,7 @@ def test_a_blocked_joint_stalls_when_it_is_driven(generation: Generation, byte_5
 
 
 @pytest.mark.parametrize("name", ["overcurrent", "driver-error"])
-def test_a_driver_that_gave_up_drops_its_joint_and_is_enabled_again_once_cleared(
-    name: str,
-) -> None:
+def test_a_driver_that_gave_up_drops_its_joint_and_is_enabled_again_once_cleared(name: str) -> None:
     arm = ready(joints_deg=LEANING)
     faults, broken = breaking(arm), fault(name, 2)
     faults.start(broken)

@@ -15,17 +15,7 @@ from armui.protocol.codes import ArmStatusCode, MotionState
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from tests.family import PIPER
-from tests.sim.talk import (
-    BOTH,
-    STANDBY,
-    arc_point,
-    heard,
-    mode,
-    pose_target,
-    ready,
-    target,
-    tell,
-)
+from tests.sim.talk import BOTH, STANDBY, arc_point, heard, mode, pose_target, ready, target, tell
 
 TWO = Generation.TWO
 KINEMATICS = Kinematics(PIPER)

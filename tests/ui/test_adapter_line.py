@@ -14,11 +14,7 @@ from armui.doctor.adapter_change import (
     Done,
     Planned,
 )
-from armui.doctor.facts import (
-    CanFacts,
-    LinkFacts,
-    SerialPortFacts,
-)
+from armui.doctor.facts import CanFacts, LinkFacts, SerialPortFacts
 from armui.doctor.judge import judge_can
 from armui.doctor.judge_heard import ARM, NOTHING_HEARD
 from armui.ui.background import Background

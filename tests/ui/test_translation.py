@@ -110,9 +110,7 @@ def test_the_compiled_file_says_what_the_source_file_says(
         assert said == translation.text, f"{entry}: run: python -m tests.translations"
 
 
-def test_translations_keep_the_figures_of_their_source(
-    committed: dict[Entry, ET.Element],
-) -> None:
+def test_translations_keep_the_figures_of_their_source(committed: dict[Entry, ET.Element]) -> None:
     figures = re.compile(r"\{\w*\}|%n|%\d")
     for entry, translation in committed.items():
         of_source = sorted(figures.findall(entry.source))

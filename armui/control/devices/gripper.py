@@ -285,12 +285,7 @@ class GripperControl(RequestingPart[str]):
         "gripper.move", "Move the gripper", why_not_move_gripper, moves=True, shown_first=True
     )
     def move(
-        self,
-        started: Started,
-        travel: Travel,
-        effort: Effort,
-        *,
-        uncalibrated: bool = False,
+        self, started: Started, travel: Travel, effort: Effort, *, uncalibrated: bool = False
     ) -> Refusal | None:
         """Open or close the gripper; the same frame enables it (0x159).
 

@@ -7,12 +7,7 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
-from armui.control.devices.teaching_phase import (
-    DRIVES,
-    TeachingPhase,
-    phase_of,
-    why_not_teach,
-)
+from armui.control.devices.teaching_phase import DRIVES, TeachingPhase, phase_of, why_not_teach
 from armui.control.events import Notice
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Started

@@ -360,12 +360,7 @@ def _joint_fault(joint: int, item: Item, word: Word, at_s: float) -> EventChange
 
 
 def _frames(
-    key: Hashable,
-    at_s: float,
-    observed: Observed,
-    params: Mapping[str, object],
-    *,
-    count: int = 1,
+    key: Hashable, at_s: float, observed: Observed, params: Mapping[str, object], *, count: int = 1
 ) -> EventChange:
     other = observed is OTHER_FRAMES
     level = Level.INFO if other else Level.WARNING

@@ -224,10 +224,7 @@ class Cartesian(ControllerPart):
         first=drop_waiting,
     )
     def move(
-        self,
-        started: Started,
-        target: Annotated[Sequence[float], "mm, °"],
-        move_mode: MoveMode,
+        self, started: Started, target: Annotated[Sequence[float], "mm, °"], move_mode: MoveMode
     ) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE

@@ -143,10 +143,7 @@ class StreamCheck:
         self._room_mm = 0.0
 
     def why_not(
-        self,
-        ahead_deg: Sequence[float],
-        now_deg: Sequence[float],
-        lag_deg: Sequence[float] = (),
+        self, ahead_deg: Sequence[float], now_deg: Sequence[float], lag_deg: Sequence[float] = ()
     ) -> Refusal | None:
         """Return why the setpoint may not go on from six angles to others, or ``None``.
 

@@ -8,13 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codes import (
-    MOVE_UNCHANGED,
-    ArmStatusCode,
-    ControlMode,
-    MitMode,
-    MoveMode,
-)
+from armui.protocol.codes import MOVE_UNCHANGED, ArmStatusCode, ControlMode, MitMode, MoveMode
 
 if TYPE_CHECKING:
     from armui.arm.other_hosts import FrameSeries, OtherTraffic

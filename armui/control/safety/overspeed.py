@@ -233,10 +233,7 @@ def _shown_deg_s(
 
 
 def _joint_too_fast(
-    window: _Window,
-    percent: int,
-    shown_deg_s: Sequence[float],
-    allowed_deg_s: Sequence[float],
+    window: _Window, percent: int, shown_deg_s: Sequence[float], allowed_deg_s: Sequence[float]
 ) -> Refusal | None:
     speeds = _speeds_deg_s(window.first, window.newest)
     before = _speeds_deg_s(window.first, window.middle)

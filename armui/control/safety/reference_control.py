@@ -24,12 +24,7 @@ from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.feedback_freshness import any_motor_off, in_drag_teaching
-from armui.control.safety.interlocks import (
-    JOINTS_UNKNOWN,
-    MOVABLE_MODES,
-    SPEED_ZERO,
-    joint_list,
-)
+from armui.control.safety.interlocks import JOINTS_UNKNOWN, MOVABLE_MODES, SPEED_ZERO, joint_list
 from armui.control.safety.reference_check import ReferenceCheck
 from armui.control.safety.reference_status import REFERENCE_CHECK_OPEN, ReferenceStatus
 from armui.control.safety.reference_watch import AngleListener, ReferenceWatch, WatchedArm
@@ -177,10 +172,7 @@ class ReferenceControl(ControllerPart):
     """
 
     def __init__(
-        self,
-        context: MotionContext,
-        memory: ReferenceMemory | None,
-        wall: Callable[[], datetime],
+        self, context: MotionContext, memory: ReferenceMemory | None, wall: Callable[[], datetime]
     ) -> None:
         self._context = context
         self._memory = memory

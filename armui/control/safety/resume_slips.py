@@ -66,10 +66,7 @@ class ResumeSlips(ControllerPart):
     """
 
     def __init__(
-        self,
-        context: Context,
-        reference: ReferenceControl,
-        wall: Callable[[float], datetime],
+        self, context: Context, reference: ReferenceControl, wall: Callable[[float], datetime]
     ) -> None:
         self._context = context
         self._reference = reference

@@ -9,12 +9,7 @@ from typing import TYPE_CHECKING, BinaryIO, Final
 
 import numpy as np
 
-from armui.session.exports.export_columns import (
-    RecordColumns,
-    TableColumns,
-    table_rows,
-    titled,
-)
+from armui.session.exports.export_columns import RecordColumns, TableColumns, table_rows, titled
 from armui.system.files import open_file
 
 if TYPE_CHECKING:

@@ -24,12 +24,7 @@ from armui.kinematics.singularity import NEAR_SINGULAR as SINGULAR_BELOW
 from armui.kinematics.singularity import margins, smallest_singular_values
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files import Content
-from armui.trajectory.planning.findings import (
-    FAR_FROM_START,
-    Finding,
-    FindingKind,
-    Severity,
-)
+from armui.trajectory.planning.findings import FAR_FROM_START, Finding, FindingKind, Severity
 from armui.trajectory.planning.planned_path import PlannedPath
 from armui.trajectory.planning.planning import NEVER_REPEATS, PATH_OUT_OF_REACH, PATH_SINGULAR
 from armui.trajectory.planning.stops import TOOL_MOVES, bounds

@@ -13,13 +13,7 @@ from typing import Final
 import numpy as np
 
 from armui.cell.tools import NO_TOOL
-from armui.kinematics.poses import (
-    Matrix,
-    flange_matrix,
-    pose_to_matrix,
-    rows_to_pose,
-    tool_matrix,
-)
+from armui.kinematics.poses import Matrix, flange_matrix, pose_to_matrix, rows_to_pose, tool_matrix
 from armui.trajectory.points.edits import FigureQuery
 from armui.trajectory.points.program import POSE_NAMES, Values, Waypoint
 

@@ -17,13 +17,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.doctor.facts import Diagnosis
 from armui.doctor.judge_heard import ARM
-from armui.doctor.problem_report import (
-    BUS_FILE,
-    ReportFile,
-    collect,
-    doctor_files,
-    save,
-)
+from armui.doctor.problem_report import BUS_FILE, ReportFile, collect, doctor_files, save
 from armui.doctor.process import DoctorProcess
 from armui.doctor.report import as_json, as_text
 from armui.system.files import size_text

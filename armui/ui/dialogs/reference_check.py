@@ -15,10 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operations.started import Started, refusal_of
-from armui.control.safety.reference_control import (
-    ReferenceControl,
-    why_not_drive,
-)
+from armui.control.safety.reference_control import ReferenceControl, why_not_drive
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act

@@ -67,11 +67,7 @@ class SectionsArea(Translated, QScrollArea):
         gaps_px: The gaps within a line, and between two.
     """
 
-    def __init__(
-        self,
-        *columns: Sequence[HelpSection],
-        gaps_px: tuple[int, int],
-    ) -> None:
+    def __init__(self, *columns: Sequence[HelpSection], gaps_px: tuple[int, int]) -> None:
         super().__init__()
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)

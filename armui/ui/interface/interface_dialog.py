@@ -9,12 +9,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QListWidget, QWidget
 
 from armui.control.events import Level
-from armui.interface.reasons import (
-    CONSENT_GRANTED,
-    LEASE_ENDED,
-    LEASE_GRANTED,
-    LEASE_REFUSED,
-)
+from armui.interface.reasons import CONSENT_GRANTED, LEASE_ENDED, LEASE_GRANTED, LEASE_REFUSED
 from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target, also

@@ -13,11 +13,7 @@ from armui.arm.figures import FIGURE_NOT_A_NUMBER
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
-from armui.control.devices.gripper import (
-    GRIPPER_SILENT,
-    GripperControl,
-    why_not_move_gripper,
-)
+from armui.control.devices.gripper import GRIPPER_SILENT, GripperControl, why_not_move_gripper
 from armui.control.devices.gripper_ranges import GripperFigure, check, gripper_figures
 from armui.control.operating_state import BUSY, OperatingState
 from armui.protocol.generation import Generation

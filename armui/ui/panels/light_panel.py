@@ -34,11 +34,7 @@ from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import (
-    choice_button,
-    describe,
-    named,
-)
+from armui.ui.widgets.buttons import choice_button, describe, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider

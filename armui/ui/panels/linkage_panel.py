@@ -20,11 +20,7 @@ from armui.protocol.codes import LinkageRole
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command, Target
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    named,
-)
+from armui.ui.widgets.buttons import caption, choice_button, named
 from armui.ui.widgets.layouts import empty_grid, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text

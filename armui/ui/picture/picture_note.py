@@ -5,15 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import (
-    QEvent,
-    QObject,
-    QPointF,
-    QRect,
-    QSize,
-    Qt,
-    QTimer,
-)
+from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QWidget
 
@@ -90,11 +82,7 @@ class PictureNote(QLabel):
         super().hideEvent(event)
 
     def say(
-        self,
-        words: str | Callable[[], str],
-        level: Level = Level.INFO,
-        *,
-        stays: bool = False,
+        self, words: str | Callable[[], str], level: Level = Level.INFO, *, stays: bool = False
     ) -> None:
         """Show a text; an empty text hides the note.
 

@@ -8,13 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QTimer
 
-from armui.ui.actions.command import (
-    Command,
-    CommandSource,
-    Target,
-    new_action,
-    source_of,
-)
+from armui.ui.actions.command import Command, CommandSource, Target, new_action, source_of
 from armui.ui.shell.pages import PAGES
 from armui.ui.widgets.buttons import enable_or_explain
 from armui.ui.widgets.page import Page

@@ -212,12 +212,7 @@ class StatusBar(Translated, QWidget):
 
     event_wanted = Signal(object)
 
-    def __init__(
-        self,
-        controller: ArmController,
-        *,
-        with_notices: bool = True,
-    ) -> None:
+    def __init__(self, controller: ArmController, *, with_notices: bool = True) -> None:
         super().__init__()
         self.setObjectName("status_bar")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)

@@ -219,12 +219,7 @@ def _mark(item: Item, cell: StatusCell) -> Mark | None:
 class JointCellDelegate(QStyledItemDelegate):
     """Draws a :class:`CellView`; a fault has a background of its own."""
 
-    def paint(
-        self,
-        painter: QPainter,
-        option: QStyleOptionViewItem,
-        index: Index,
-    ) -> None:
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Draw one cell."""
         view = index.data(CELL_ROLE)
         table = self.parent()

@@ -40,11 +40,7 @@ class PlotExport(FileExport):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        board: PlotBoard,
-        background: Background,
-        window: QWidget,
+        self, controller: ArmController, board: PlotBoard, background: Background, window: QWidget
     ) -> None:
         super().__init__(controller, background, window)
         self._telemetry: Telemetry = board.telemetry

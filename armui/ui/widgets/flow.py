@@ -26,10 +26,7 @@ class Flow(QLayout):
     """
 
     def __init__(
-        self,
-        owner: QWidget | None = None,
-        spacing_px: int = _SPACING_PX,
-        most: int | None = None,
+        self, owner: QWidget | None = None, spacing_px: int = _SPACING_PX, most: int | None = None
     ) -> None:
         super().__init__(owner)
         self._most = most

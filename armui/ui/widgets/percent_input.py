@@ -34,11 +34,7 @@ class PercentInput(QObject):
     """
 
     def __init__(
-        self,
-        name: str,
-        value: Callable[[], int],
-        choose: Callable[[int], object],
-        parent: QWidget,
+        self, name: str, value: Callable[[], int], choose: Callable[[int], object], parent: QWidget
     ) -> None:
         super().__init__(parent)
         self._value = value

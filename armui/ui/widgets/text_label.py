@@ -19,9 +19,7 @@ class ValueLabel(QWidget):
     """
 
     def __init__(
-        self,
-        widest: str,
-        alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignRight,
+        self, widest: str, alignment: Qt.AlignmentFlag = Qt.AlignmentFlag.AlignRight
     ) -> None:
         super().__init__()
         self._widest = widest

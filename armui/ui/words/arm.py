@@ -15,13 +15,7 @@ from armui.arm.joint_status import Item, StatusVerdict, Word
 from armui.arm.model_check import OLDER_ZEROS
 from armui.arm.quirks import frees_gripper
 from armui.arm.state import GripperFault, Status
-from armui.protocol.codes import (
-    ControlMode,
-    EndLoad,
-    Mounting,
-    TeachingState,
-    TrajectoryCommand,
-)
+from armui.protocol.codes import ControlMode, EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
 from armui.ui.words.text import Text, Texts, sentence
 

@@ -15,16 +15,7 @@ from armui.sim.faults.schedule import fault
 from armui.telemetry.events import Asker, EventKind, Level
 from tests.accepted import accepted
 from tests.control.jogger import bend
-from tests.control.under_way import (
-    BACK,
-    BESIDE_A_RUN,
-    MOTIONS,
-    OUT,
-    POSE,
-    SETTINGS,
-    run_of,
-    to,
-)
+from tests.control.under_way import BACK, BESIDE_A_RUN, MOTIONS, OUT, POSE, SETTINGS, run_of, to
 
 OPERATOR, JOG = Asker.OPERATOR, Asker.JOG
 ARRIVED = "arrived"

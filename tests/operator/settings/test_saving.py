@@ -12,13 +12,7 @@ from armui.protocol.generation import Generation
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ui.widgets.hold_button import HoldButton
 from tests.generations import ONE_IS_ENOUGH
-from tests.operator.settings.panels import (
-    frame,
-    generation,
-    note,
-    sent,
-    settled,
-)
+from tests.operator.settings.panels import frame, generation, note, sent, settled
 
 
 def test_only_what_was_changed_is_sent_and_read_back(joints):

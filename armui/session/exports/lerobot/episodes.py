@@ -81,11 +81,7 @@ class LeRobotDataset:
     """
 
     def __init__(
-        self,
-        folder: Path,
-        facts: ExportFacts,
-        options: EpisodeOptions,
-        marked: Sequence[Episode],
+        self, folder: Path, facts: ExportFacts, options: EpisodeOptions, marked: Sequence[Episode]
     ) -> None:
         import pyarrow as pa  # noqa: F401, PLC0415 - optional: said before the log is read
 

@@ -163,10 +163,7 @@ def _places(
 
 
 def _values(
-    history: History,
-    rows: RowTimes,
-    places: list[tuple[RecordColumns, int, int]],
-    max_age_s: float,
+    history: History, rows: RowTimes, places: list[tuple[RecordColumns, int, int]], max_age_s: float
 ) -> Array:
     """Return (n, 7) the values held at each row; NaN where none did, or an older one."""
     found = np.full((len(rows.rows), len(_VALUES)), np.nan)

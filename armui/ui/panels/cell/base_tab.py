@@ -16,14 +16,7 @@ from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
-from armui.ui.panels.cell.cell_tab import (
-    UNITS,
-    Answered,
-    CellTab,
-    figures,
-    hint_label,
-    pose_grid,
-)
+from armui.ui.panels.cell.cell_tab import UNITS, Answered, CellTab, figures, hint_label, pose_grid
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column

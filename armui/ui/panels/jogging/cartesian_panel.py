@@ -37,13 +37,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import (
-    caption,
-    choice_button,
-    describe,
-    enable_or_explain,
-    named,
-)
+from armui.ui.widgets.buttons import caption, choice_button, describe, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row

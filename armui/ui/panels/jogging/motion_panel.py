@@ -27,10 +27,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.own_home import OwnHome
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import (
-    describe,
-    named,
-)
+from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column

@@ -140,10 +140,7 @@ class LevelsPanel(ParameterPanel):
     """
 
     def __init__(
-        self,
-        controller: ArmController,
-        group: Group,
-        open_backup: Callable[[], object],
+        self, controller: ArmController, group: Group, open_backup: Callable[[], object]
     ) -> None:
         self._levels = [LevelCell(each) for each in Batch(group).parameters()]
         super().__init__(controller, group.value, self._levels, open_backup)

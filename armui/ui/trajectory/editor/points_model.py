@@ -6,13 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import (
-    QMimeData,
-    QModelIndex,
-    QObject,
-    Qt,
-    Signal,
-)
+from PySide6.QtCore import QMimeData, QModelIndex, QObject, Qt, Signal
 from PySide6.QtGui import QColor
 
 from armui.arm.refusal import Refusal
@@ -22,14 +16,7 @@ from armui.trajectory.files.text import number
 from armui.trajectory.planning.tool_points import ToolPoints
 from armui.trajectory.planning.user_frames import Frames, frames_of, why_unknown
 from armui.trajectory.points import edits
-from armui.trajectory.points.cells import (
-    IN_FRAME,
-    VALUES,
-    PointColumn,
-    editable,
-    edited,
-    text_of,
-)
+from armui.trajectory.points.cells import IN_FRAME, VALUES, PointColumn, editable, edited, text_of
 from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import (
     POINT_MOVE_UNKNOWN,

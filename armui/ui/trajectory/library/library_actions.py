@@ -83,10 +83,7 @@ class LibraryActions(HasActs, QObject):
         return seen
 
     def create(
-        self,
-        name: str,
-        then: Callable[[Trajectory], object],
-        refused: Callable[[str], object],
+        self, name: str, then: Callable[[Trajectory], object], refused: Callable[[str], object]
     ) -> None:
         """Put an empty trajectory into the library.
 

@@ -22,13 +22,7 @@ from armui.control.run.replay import RUN_EMPTY
 from armui.control.run.runner import ended_early
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
-from armui.trajectory.library.store import (
-    NAME_TAKEN,
-    IndexEntry,
-    Library,
-    Listing,
-    free_name,
-)
+from armui.trajectory.library.store import NAME_TAKEN, IndexEntry, Library, Listing, free_name
 from armui.trajectory.points.program import Trajectory, check_name
 from armui.ui import format as fmt
 from armui.ui import words

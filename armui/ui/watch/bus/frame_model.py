@@ -279,10 +279,7 @@ class FrameModel(QAbstractItemModel):
     """
 
     def __init__(
-        self,
-        texts: FrameTexts,
-        clock_text: Callable[[float], str],
-        parent: QObject | None = None,
+        self, texts: FrameTexts, clock_text: Callable[[float], str], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self.texts: FrameTexts = texts

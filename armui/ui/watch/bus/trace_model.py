@@ -74,10 +74,7 @@ class TraceModel(TableModel):
     _columns = len(TraceColumn)
 
     def __init__(
-        self,
-        texts: FrameTexts,
-        clock_text: Callable[[float], str],
-        parent: QObject | None = None,
+        self, texts: FrameTexts, clock_text: Callable[[float], str], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self.texts: FrameTexts = texts

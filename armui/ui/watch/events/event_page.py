@@ -6,12 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QBoxLayout,
-    QHeaderView,
-    QMenu,
-)
+from PySide6.QtWidgets import QAbstractItemView, QBoxLayout, QHeaderView, QMenu
 
 from armui.ui.actions.act import HasActs
 from armui.ui.actions.keys import listen_for

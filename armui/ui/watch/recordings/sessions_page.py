@@ -7,15 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import (
-    QEvent,
-    QModelIndex,
-    QObject,
-    QSortFilterProxyModel,
-    Qt,
-    QUrl,
-    Signal,
-)
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QSortFilterProxyModel, Qt, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -41,11 +33,7 @@ from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.background import Job
 from armui.ui.watch.recordings import recording_files
-from armui.ui.watch.recordings.recording_card import (
-    RecordingCard,
-    RingCard,
-    moment_text,
-)
+from armui.ui.watch.recordings.recording_card import RecordingCard, RingCard, moment_text
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
@@ -214,10 +202,7 @@ class SessionsModel(TableModel):
         return None
 
     def setData(  # noqa: N802 - as Qt has it
-        self,
-        index: Index,
-        value: Any,
-        role: int = Qt.ItemDataRole.EditRole,
+        self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole
     ) -> bool:
         """Emit a changed name; the result is shown when it is done."""
         name, new_name = self._rows[index.row()].name, str(value).strip()
