@@ -370,9 +370,6 @@ class Cartesian(ControllerPart):
         arrived = off_mm <= _ARRIVED_MM and off_deg <= _ARRIVED_DEG
         return asked if arrived else measured
 
-    def _start_deg(self) -> Sequence[float]:
-        return self._context.state().angles_deg() or _NO_TOOL
-
     def forget_arm(self) -> None:
         """Forget the geometry of an arm that is gone; another one may have another."""
         self._model = None
