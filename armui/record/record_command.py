@@ -64,7 +64,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "-o", "--folder", type=Path, default=Path(), help="where to (the current folder)"
     )
-    parser.add_argument("--name", help="of the recording (session-DATE-TIME)")
+    parser.add_argument("--name", help="of the log (session-DATE-TIME)")
     parser.add_argument(
         "--format",
         choices=[each.value[1:] for each in RecordingFormat],

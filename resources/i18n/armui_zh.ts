@@ -2290,10 +2290,6 @@
         <translation>保存到哪个文件夹（当前文件夹）</translation>
     </message>
     <message>
-        <source>of the recording (session-DATE-TIME)</source>
-        <translation>录制的名称（session-日期-时间）</translation>
-    </message>
-    <message>
         <source>a file that is as large is followed by another (100)</source>
         <translation>文件达到此大小后换下一个（100）</translation>
     </message>
@@ -2434,12 +2430,24 @@
         <translation>没有可用的显示。请在桌面会话中启动，或设置 DISPLAY 或 WAYLAND_DISPLAY。更多信息见 `armui doctor`。</translation>
     </message>
     <message>
+        <source>as the log says</source>
+        <translation>日志中如此说明</translation>
+    </message>
+    <message>
+        <source>no log of this program: there is no sidecar beside it</source>
+        <translation>不是本程序的日志：旁边没有附带文件</translation>
+    </message>
+    <message>
         <source>{text!r} is no firmware version; write it as {example}</source>
         <translation>{text!r} 不是固件版本，应写成 {example} 的形式</translation>
     </message>
     <message>
         <source>the window cannot be loaded: {error}. `armui doctor` says what is missing, and how to install it.</source>
         <translation>无法加载窗口：{error}。`armui doctor` 会指出缺少什么、如何安装。</translation>
+    </message>
+    <message>
+        <source>of the log (session-DATE-TIME)</source>
+        <translation>日志的名称（session-日期-时间）</translation>
     </message>
     <message>
         <source>read as generation {number}: {reason}</source>
@@ -2738,10 +2746,6 @@
         <translation>按要求</translation>
     </message>
     <message>
-        <source>as the recording says</source>
-        <translation>记录中如此说明</translation>
-    </message>
-    <message>
         <source>{why}; but its end pose fits a {fits}</source>
         <translation>{why}；但末端位姿更符合 {fits}</translation>
     </message>
@@ -2816,10 +2820,6 @@
     <message>
         <source>byte {byte} of a block</source>
         <translation>某一块的第 {byte} 字节</translation>
-    </message>
-    <message>
-        <source>no recording of this program: there is no sidecar beside it</source>
-        <translation>不是本程序的记录：旁边没有附带文件</translation>
     </message>
     <message>
         <source>the file breaks off in a line</source>
@@ -4462,10 +4462,6 @@
 <context>
     <name>ExportForm</name>
     <message>
-        <source>Recording</source>
-        <translation>记录</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>格式</translation>
     </message>
@@ -4490,10 +4486,6 @@
         <translation>选择…</translation>
     </message>
     <message>
-        <source>Choose the recording</source>
-        <translation>选择记录</translation>
-    </message>
-    <message>
         <source>Choose the target</source>
         <translation>选择目标文件</translation>
     </message>
@@ -4508,6 +4500,14 @@
     <message>
         <source>Generation 2</source>
         <translation>第 2 代</translation>
+    </message>
+    <message>
+        <source>As in the log</source>
+        <translation>按日志内容</translation>
+    </message>
+    <message>
+        <source>Where the links and the tool are depends on it. A log of this program says it; of other logs it is the one that fits the end pose in them.</source>
+        <translation>连杆与工具的位置取决于型号。本程序的日志中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
     <message>
         <source>to</source>
@@ -4538,8 +4538,8 @@
         <translation>有机械臂数据的通道</translation>
     </message>
     <message>
-        <source>Choose the recording first.</source>
-        <translation>请先选择记录。</translation>
+        <source>beside the log</source>
+        <translation>与日志同一文件夹</translation>
     </message>
     <message>
         <source>The time must begin at 0 s or later, and end after that.</source>
@@ -4554,12 +4554,20 @@
         <translation>未选择</translation>
     </message>
     <message>
-        <source>beside the recording</source>
-        <translation>与记录同一文件夹</translation>
-    </message>
-    <message>
         <source>CSV per message</source>
         <translation>CSV（按报文）</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Choose the log</source>
+        <translation>选择日志</translation>
+    </message>
+    <message>
+        <source>Choose the log first.</source>
+        <translation>请先选择日志。</translation>
     </message>
     <message>
         <source>Choose where to put the folder of the export</source>
@@ -4568,14 +4576,6 @@
     <message>
         <source>Model</source>
         <translation>型号</translation>
-    </message>
-    <message>
-        <source>As in the recording</source>
-        <translation>按录制内容</translation>
-    </message>
-    <message>
-        <source>Where the links and the tool are depends on it. A recording of this program says it; of other logs it is the one that fits the end pose in them.</source>
-        <translation>连杆与工具的位置取决于型号。本程序的录制文件中已注明；其他日志取与其中末端位姿相符的型号。</translation>
     </message>
 </context>
 <context>
@@ -7203,8 +7203,8 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>JointTable</name>
     <message>
-        <source>Joint status in the recording</source>
-        <translation>记录中的关节状态</translation>
+        <source>Joint status in the log</source>
+        <translation>日志中的关节状态</translation>
     </message>
 </context>
 <context>
@@ -9114,6 +9114,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>片段 {number} 已弃用</translation>
     </message>
     <message>
+        <source>{count} frames are missing in the log: the disk is too slow</source>
+        <translation>日志中缺少 {count} 帧：磁盘太慢</translation>
+    </message>
+    <message>
         <source>“{client}” asks for the arm: {purpose}</source>
         <translation>“{client}”申请机械臂：{purpose}</translation>
     </message>
@@ -9328,10 +9332,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The log has ended: {reason}</source>
         <translation>日志已中断：{reason}</translation>
-    </message>
-    <message>
-        <source>{count} frames are missing in the recording: the disk is too slow</source>
-        <translation>记录中缺少 {count} 帧：磁盘太慢</translation>
     </message>
     <message>
         <source>What just happened is saved: {name}</source>
@@ -12371,7 +12371,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>No log is being written, in which an episode could be marked. Start a log.</source>
-        <translation>现在没有在写日志，无处标记片段。请先开始记录日志。</translation>
+        <translation>现在没有在写日志，无处标记片段。请先开始日志。</translation>
     </message>
     <message>
         <source>An episode is under way already. End it first.</source>
@@ -12391,7 +12391,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The log has {maximum} episodes already. Stop it and start another one.</source>
-        <translation>这份日志已有 {maximum} 个片段。请停止记录，再开始一份。</translation>
+        <translation>这份日志已有 {maximum} 个片段。请停止它，再开始一份。</translation>
     </message>
     <message>
         <source>The local interface is offered on Linux only, for now.</source>
@@ -12418,12 +12418,20 @@ The other program must have ended.</source>
         <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm；这样会更近。请移开。</translation>
     </message>
     <message>
+        <source>This is a log that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
+        <translation>这是正在回放的日志，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
+    </message>
+    <message>
         <source>The program was held up for {value} ms, which ended the stream. The next target begins another.</source>
         <translation>程序停顿了 {value} 毫秒，目标流因此结束。发送下一个目标即开始新的目标流。</translation>
     </message>
     <message>
         <source>To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm would change its posture. Send poses nearer to one another.</source>
         <translation>到此位姿关节 {joint} 需一次转动 {value}°，超过 {maximum}°：机械臂会改变构型。请发送彼此更接近的位姿。</translation>
+    </message>
+    <message>
+        <source>“{name}” cannot be the name of a log. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
+        <translation>“{name}”不能作为日志的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
     </message>
     <message>
         <source>This needs the lease of the arm. Ask for it with lease.request, and name its number.</source>
@@ -12548,6 +12556,10 @@ The other program must have ended.</source>
     <message>
         <source>{name} is an MF4 file, and those are not read. Convert it to .asc or .blf with other software, for example asammdf, and open what that has written.</source>
         <translation>{name} 是 MF4 文件，本程序不读取这种文件。请用其他软件（例如 asammdf）将其转换为 .asc 或 .blf，再打开转换后的文件。</translation>
+    </message>
+    <message>
+        <source>The log could not be written in {folder}: {text}. What was written before can be read. Choose another folder, or try again.</source>
+        <translation>无法在 {folder} 中写入日志：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
     </message>
     <message>
         <source>Setting “{field}”: {count} of its entries cannot be read, the first is “{key}”: “{value}”. The others hold; these stay in the file until you choose anew.</source>
@@ -13278,28 +13290,8 @@ The other program must have ended.</source>
         <translation>文件夹 {folder} 或其所在磁盘已不存在。请重新插入磁盘或选择其他文件夹，然后重新记录。</translation>
     </message>
     <message>
-        <source>The session could not be recorded in {folder}: {text}. What was written before can be read. Choose another folder, or try again.</source>
-        <translation>无法在 {folder} 中记录会话：{text}。此前写入的内容可以读取。请选择其他文件夹，或重试。</translation>
-    </message>
-    <message>
-        <source>“{name}” cannot be the name of a recording. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
-        <translation>“{name}”不能作为记录的名称。请勿使用 / \ : * ? &quot; &lt; &gt; |，首尾不能是句点，最多 120 个字符。</translation>
-    </message>
-    <message>
         <source>There is a file called “{name}” in the folder already. Choose another name.</source>
         <translation>文件夹中已有名为“{name}”的文件。请换一个名称。</translation>
-    </message>
-    <message>
-        <source>The recording “{name}” is not in the folder any more, or cannot be read: {text}.</source>
-        <translation>记录“{name}”已不在文件夹中，或无法读取：{text}。</translation>
-    </message>
-    <message>
-        <source>“{name}” is still being written. Stop the recording first.</source>
-        <translation>“{name}”仍在写入。请先停止记录。</translation>
-    </message>
-    <message>
-        <source>This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
-        <translation>这是正在回放的记录，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
     </message>
     <message>
         <source>{name} is a log without a single frame: there is nothing to replay. Record again, with the arm switched on.</source>
@@ -13392,6 +13384,14 @@ The other program must have ended.</source>
     <message>
         <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
+    </message>
+    <message>
+        <source>The log “{name}” is not in the folder any more, or cannot be read: {text}.</source>
+        <translation>日志“{name}”已不在文件夹中，或无法读取：{text}。</translation>
+    </message>
+    <message>
+        <source>“{name}” is still being written. Stop the log first.</source>
+        <translation>“{name}”仍在写入。请先停止日志。</translation>
     </message>
     <message>
         <source>Robot description: meshes like {mesh} are not supported. Supported kinds: {kinds}.</source>
@@ -13684,8 +13684,8 @@ The other program must have ended.</source>
 <context>
     <name>ReplayEvents</name>
     <message>
-        <source>Events of the recording</source>
-        <translation>记录中的事件</translation>
+        <source>Events of the log</source>
+        <translation>日志中的事件</translation>
     </message>
     <message>
         <source>Click: show this moment</source>
@@ -13729,8 +13729,8 @@ The other program must have ended.</source>
         <translation>第 {number} 代</translation>
     </message>
     <message>
-        <source>(as the recording tells)</source>
-        <translation>（由记录判定）</translation>
+        <source>(as the log tells)</source>
+        <translation>（由日志判定）</translation>
     </message>
     <message>
         <source>Loading: {percent} %</source>
@@ -13749,12 +13749,12 @@ The other program must have ended.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Whole recording</source>
-        <translation>全程曲线</translation>
-    </message>
-    <message>
         <source>Frames</source>
         <translation>报文</translation>
+    </message>
+    <message>
+        <source>Whole log</source>
+        <translation>全程曲线</translation>
     </message>
     <message>
         <source>Channel</source>
@@ -13776,8 +13776,8 @@ The other program must have ended.</source>
 <context>
     <name>ReplayWindow</name>
     <message>
-        <source>Open a recording</source>
-        <translation>打开记录</translation>
+        <source>Open a log</source>
+        <translation>打开日志</translation>
     </message>
     <message>
         <source>CAN logs</source>
@@ -13828,12 +13828,12 @@ The other program must have ended.</source>
         <translation>回放 – {name}</translation>
     </message>
     <message>
-        <source>Choose a recording…</source>
-        <translation>选择记录…</translation>
+        <source>Choose a log…</source>
+        <translation>选择日志…</translation>
     </message>
     <message>
-        <source>Open another recording…</source>
-        <translation>打开其他记录…</translation>
+        <source>Open another log…</source>
+        <translation>打开其他日志…</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -14246,7 +14246,7 @@ The other program must have ended.</source>
     <name>SessionKind</name>
     <message>
         <source>recorded</source>
-        <translation>手动记录</translation>
+        <translation>手动开始</translation>
     </message>
     <message>
         <source>by armui record</source>
@@ -16026,8 +16026,8 @@ The other program must have ended.</source>
 <context>
     <name>TimeLine</name>
     <message>
-        <source>Timeline of the recording</source>
-        <translation>记录的时间轴</translation>
+        <source>Timeline of the log</source>
+        <translation>日志的时间轴</translation>
     </message>
 </context>
 <context>
@@ -16788,7 +16788,7 @@ Before: {before}</source>
     </message>
     <message>
         <source>Record everything on the bus, save what just happened, replay what was recorded, here or by another program.</source>
-        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的记录。</translation>
+        <translation>记录总线上的一切，保存刚才发生的事，回放本程序或其他程序的日志。</translation>
     </message>
     <message>
         <source>What each joint says of itself: temperature, current, voltage, faults.</source>
@@ -16810,8 +16810,8 @@ Before: {before}</source>
 <context>
     <name>WholeCurves</name>
     <message>
-        <source>The recording is long: its last hour is shown.</source>
-        <translation>记录较长：显示最后一小时。</translation>
+        <source>The log is long: its last hour is shown.</source>
+        <translation>日志较长：显示最后一小时。</translation>
     </message>
     <message>
         <source>Loading: {percent} %</source>

@@ -293,7 +293,7 @@ def test_the_channel_with_the_arm_is_shown_and_the_other_can_be_chosen(replay, t
 def test_the_operator_may_say_which_protocol_it_is(replay, log):
     replay.open(log)
     box = replay.find("replay_generation")
-    assert box.currentText() == "generation 2 (as the recording tells)"
+    assert box.currentText() == "generation 2 (as the log tells)"
 
     box.setCurrentIndex(0)
     box.activated.emit(0)

@@ -188,7 +188,7 @@ def test_a_folder_that_cannot_be_written_is_told_in_the_window(sessions, tmp_pat
     sessions.driver.store.change(session_folder=str(tmp_path / "file" / "below"))
     sessions.driver.click(sessions.window.recording.record_button)
     sessions.until(lambda: not sessions.recorder.recording)
-    assert "could not be recorded" in sessions.said()
+    assert "could not be written" in sessions.said()
     assert not sessions.driver.find("recording_mark").isVisible()
 
 

@@ -85,7 +85,7 @@ def remarks(dialog: ExportDialog) -> str:
 
 def test_nothing_is_exported_without_a_recording(dialog, exports):
     assert not dialog.export_button.isEnabled()
-    assert dialog.export_button.toolTip() == "Choose the recording first."
+    assert dialog.export_button.toolTip() == "Choose the log first."
     press_export(dialog)
     assert exports.requests == []
 

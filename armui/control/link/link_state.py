@@ -14,7 +14,7 @@ LISTEN_ONLY = Reason(
 )
 REPLAYED_LOG = Reason(
     "replayed_log",
-    "This is a recording that is replayed: nothing can be sent. Whatever is to reach an arm is "
+    "This is a log that is replayed: nothing can be sent. Whatever is to reach an arm is "
     "done in the main window.",
 )
 LINK_LOST = Reason(

@@ -11,7 +11,7 @@ from armui.telemetry.events import EventKind, Level
 
 SESSION_FRAMES_LOST = Notice(
     "session_frames_lost",
-    "{count} frames are missing in the recording: the disk is too slow",
+    "{count} frames are missing in the log: the disk is too slow",
     Level.WARNING,
     EventKind.PROGRAM,
 )

@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 SESSION_RECORDED = Reason("session_recorded", "A log is being written already. Stop it first.")
 SESSION_NAME_BAD = Reason(
     "session_name_bad",
-    '“{name}” cannot be the name of a recording. Leave out / \\ : * ? " < > | and a dot at '
+    '“{name}” cannot be the name of a log. Leave out / \\ : * ? " < > | and a dot at '
     "the beginning or the end; 120 characters at most.",
 )
 SESSION_NONE = Reason("session_none", "No log is being written: there is nothing to stop.")

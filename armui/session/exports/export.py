@@ -135,7 +135,7 @@ ExportSource = FileSource | SessionSource
 
 
 def open_source(path: Path) -> ExportSource:
-    """Open a recording: all files of one of this program's, or any log.
+    """Open a log: all files of one of this program's, or any log.
 
     Raises:
         NotALogError: It cannot be opened, or is no log.

@@ -201,7 +201,7 @@ def _model(
         return model, why, "", geometry
     own = [place for place, (model, _) in enumerate(candidates) if model.model is said]
     model, geometry = candidates[min(own, key=lambda place: off_mm[place])]
-    why = Told("as asked for") if wish is not None else Told("as the recording says")
+    why = Told("as asked for") if wish is not None else Told("as the log says")
     fits = candidates[nearest][0].name
     if rows and fits != model.name:
         why = Told("{why}; but its end pose fits a {fits}", why=why, fits=fits)

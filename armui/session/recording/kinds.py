@@ -35,7 +35,7 @@ SESSION_FOLDER_GONE = Reason(
 )
 SESSION_FAILED = Reason(
     "session_failed",
-    "The session could not be recorded in {folder}: {text}. What was written before can be "
+    "The log could not be written in {folder}: {text}. What was written before can be "
     "read. Choose another folder, or try again.",
 )
 

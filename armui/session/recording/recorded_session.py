@@ -386,7 +386,7 @@ def _sidecar_of(path: Path) -> tuple[str, list[dict[str, Any]], RecordingFormat]
         kind = sidecar.format_in(lines[0]) if lines and lines[0]["kind"] == "session" else None
         if kind is not None:
             return each, lines, kind
-    raise NotALogError(Told("no recording of this program: there is no sidecar beside it"))
+    raise NotALogError(Told("no log of this program: there is no sidecar beside it"))
 
 
 def _part(batch: FrameBatch, begin: int, end: int, first: int) -> FrameBatch:

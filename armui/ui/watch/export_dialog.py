@@ -273,7 +273,7 @@ class ExportForm(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         texts = (
-            self.tr("Recording"),
+            self.tr("Log"),
             self.tr("Format"),
             self.tr("Time"),
             self.tr("Protocol"),
@@ -285,18 +285,18 @@ class ExportForm(Translated, QWidget):
             label.setText(text)
         for button in (self.log_button, self.target_button):
             button.setText(self.tr("Choose…"))
-        self.log_button.setAccessibleName(self.tr("Choose the recording"))
+        self.log_button.setAccessibleName(self.tr("Choose the log"))
         self.target_button.setAccessibleName(self.tr("Choose the target"))
         for place, each in enumerate(ExportFormat):
             self.formats.button(place).setText(self.tr(str(_FORMATS[each])))
         names = (self.tr("As found in the log"), self.tr("Generation 1"), self.tr("Generation 2"))
         for place, name in enumerate(names):
             self.generations.button(place).setText(name)
-        self.model_box.setItemText(0, self.tr("As in the recording"))
+        self.model_box.setItemText(0, self.tr("As in the log"))
         self.model_box.setAccessibleName(self.tr("Model"))
         self.model_box.setToolTip(
             self.tr(
-                "Where the links and the tool are depends on it. A recording of this program says "
+                "Where the links and the tool are depends on it. A log of this program says "
                 "it; of other logs it is the one that fits the end pose in them."
             )
         )
@@ -332,7 +332,7 @@ class ExportForm(Translated, QWidget):
     def reason(self) -> str:
         """Return why the export is not possible; empty if it is."""
         if self._log is None:
-            return self.tr("Choose the recording first.")
+            return self.tr("Choose the log first.")
         begin_s, end_s = self.begin_field.value or 0.0, self.end_field.value
         wrong = self.begin_field.is_nonsense() or self.end_field.is_nonsense()
         if wrong or begin_s < 0 or (end_s is not None and end_s <= begin_s):
@@ -363,7 +363,7 @@ class ExportForm(Translated, QWidget):
         choose_file(
             self,
             self._controller,
-            title=self.tr("Choose the recording"),
+            title=self.tr("Choose the log"),
             name_filter=self.tr("CAN log") + f" ({_LOGS})",
             start=self._log or Path.home(),
             on_chosen=self.show_log,
@@ -406,7 +406,7 @@ class ExportForm(Translated, QWidget):
 
     def _show_paths(self) -> None:
         self._log_label.show_text(str(self._log or self.tr("none chosen")))
-        self._target_label.show_text(str(self._target or self.tr("beside the recording")))
+        self._target_label.show_text(str(self._target or self.tr("beside the log")))
         self._about.setText(about_text(self.format))
 
 

@@ -29,7 +29,7 @@ from tests.session.recordings import START_S, frames, greeting, write
 
 TWO = Generation.TWO
 HOT = {"code": "joint", "joint": 3, "what": "MotorOvertemperature"}
-LOST = "12 frames are missing in the recording: the disk is too slow"
+LOST = "12 frames are missing in the log: the disk is too slow"
 GENERATIONS = pytest.mark.parametrize("generation", [Generation.ONE, Generation.TWO])
 
 

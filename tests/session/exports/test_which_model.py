@@ -1,4 +1,4 @@
-"""Which arm an export takes a recording's for: as asked, as the recording says, by the pose."""
+"""Which arm an export takes a recording's for: as asked, as the log says, by the pose."""
 
 from contextlib import closing
 from types import SimpleNamespace
@@ -44,7 +44,7 @@ def test_what_the_recording_says_counts_where_no_pose_is_heard(tmp_path):
 
     arm = taken_for(log, sidecar("piper_l", "S-V1.5-2"))
 
-    assert (arm.model.model, arm.why_model, arm.pose_fits) == (L, "as the recording says", "")
+    assert (arm.model.model, arm.why_model, arm.pose_fits) == (L, "as the log says", "")
     assert arm.firmware == "S-V1.5-2"
     assert arm.geometry == model_data(L).older_geometry
 
@@ -53,7 +53,7 @@ def test_what_the_pose_says_otherwise_is_told(tmp_path):
     """As the replay does: what was chosen then goes first, and the arm's own word is said."""
     arm = taken_for(log_of(tmp_path, X), sidecar("piper_h"))
     assert (arm.model.model, arm.pose_fits) == (H, "PiPER X")
-    assert arm.why_model == "as the recording says; but its end pose fits a PiPER X"
+    assert arm.why_model == "as the log says; but its end pose fits a PiPER X"
 
 
 def test_whoever_exports_has_the_last_word(tmp_path):

@@ -19,7 +19,7 @@ SESSION_NAME_TAKEN = Reason(
 )
 SESSION_GONE = Reason(
     "session_gone",
-    "The recording “{name}” is not in the folder any more, or cannot be read: {text}.",
+    "The log “{name}” is not in the folder any more, or cannot be read: {text}.",
 )
 
 

@@ -59,9 +59,7 @@ if TYPE_CHECKING:
     from armui.settings import SettingsStore
     from armui.ui.background import Background
 
-SESSION_IN_USE = Reason(
-    "session_in_use", "“{name}” is still being written. Stop the recording first."
-)
+SESSION_IN_USE = Reason("session_in_use", "“{name}” is still being written. Stop the log first.")
 
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole

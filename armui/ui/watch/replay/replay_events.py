@@ -172,7 +172,7 @@ class ReplayEvents(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.table.setAccessibleName(self.tr("Events of the recording"))
+        self.table.setAccessibleName(self.tr("Events of the log"))
         self.table.setToolTip(self.tr("Click: show this moment"))
         self.model.retranslate()
         self.table.fit_columns()

@@ -178,7 +178,7 @@ class JointTable(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.table.setAccessibleName(self.tr("Joint status in the recording"))
+        self.table.setAccessibleName(self.tr("Joint status in the log"))
         self.model.retranslate()
         metrics = self.table.fontMetrics()
         names = max(metrics.horizontalAdvance(words.joint_item(item)) for item in Item)
@@ -341,7 +341,7 @@ class ReplayView(Translated, QWidget):
             generation = Generation(self.generations.itemData(place))
             text = self.tr("generation {number}").format(number=int(generation))
             is_told = own is not None and own.is_certain and own.generation is generation
-            text += " " + self.tr("(as the recording tells)") if is_told else ""
+            text += " " + self.tr("(as the log tells)") if is_told else ""
             self.generations.setItemText(place, text)
         if own is not None:
             tip = f"{int(own.generation)}: {told(own.reason)}"
@@ -425,7 +425,7 @@ class ReplayView(Translated, QWidget):
         """Set the texts in the operator's language."""
         titles = (
             *(self.tr("Joint status"), self.tr("Curves"), self.tr("Events")),
-            *(self.tr("Whole recording"), self.tr("Frames")),
+            *(self.tr("Whole log"), self.tr("Frames")),
         )
         for place, title in enumerate(titles):
             self.tabs.setTabText(place, title)

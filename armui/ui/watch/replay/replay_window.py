@@ -151,9 +151,9 @@ class ReplayWindow(ArmDialog):
     """
 
     export_wanted = Signal(object)
-    choose_button = Act("Choose a recording…", named="replay_choose", primary=True, on_enter=True)
+    choose_button = Act("Choose a log…", named="replay_choose", primary=True, on_enter=True)
     cancel_button = Act("Cancel", named="replay_cancel")
-    other_button = Act("Open another recording…", named="replay_other")
+    other_button = Act("Open another log…", named="replay_other")
     export_button = Act(
         "Export…", named="replay_export", tip="As ROS 2 messages in MCAP, as CSV or as Parquet."
     )
@@ -229,7 +229,7 @@ class ReplayWindow(ArmDialog):
         chooser = choose_file(
             self,
             self._controller,
-            title=self.tr("Open a recording"),
+            title=self.tr("Open a log"),
             name_filter=self.tr("CAN logs") + f" ({endings})",
             on_chosen=self.open_log,
         )

@@ -149,7 +149,7 @@ class TimeLine(Translated, QWidget):
 
     def retranslate_ui(self) -> None:
         """Set the texts in the operator's language."""
-        self.setAccessibleName(self.tr("Timeline of the recording"))
+        self.setAccessibleName(self.tr("Timeline of the log"))
         self.update()
 
     def _recolor(self) -> None:
