@@ -19,6 +19,7 @@ from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
 from armui.ui.picture.view_bar import ViewBar
 from armui.ui.shell.pages import PLACES
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.widgets.hold_button import HoldButton
 from tests.accepted import accepted
 from tests.app_driver import PANELS
@@ -275,6 +276,14 @@ def test_unsaved_values_are_asked_about_and_nothing_else_happens(app_driver):
     assert app_driver.find("menu_collision").isChecked()
     command(app_driver, "tool frame")
     assert app_driver.find("menu_collision").isChecked()
+
+
+def test_what_is_folded_away_on_its_page_is_led_to_and_not_changed_unseen(app_driver):
+    palette = command(app_driver, "only unknown")
+    bar = app_driver.page(BusPage).filter_bar
+    app_driver.wait(bar.more.hasFocus)
+    assert not palette.isVisible()
+    assert not bar.only_unknown.isChecked()
 
 
 def test_a_field_is_gone_to(app_driver):

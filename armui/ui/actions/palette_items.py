@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QMenu, QToolButton, QWidget
 
 from armui.ui.actions.act import BoundAct, HasActs
 from armui.ui.actions.command import Command, CommandSource, Target
@@ -125,8 +125,10 @@ class PaletteItems:
         for command in source.commands:
             title, place = command.title.text(), self._places[command.place].text()
             target = targets.get(command.name)
-            seen = isinstance(target, QAction) or (target is not None and target.isVisible())
             act = owner.act_of(command.name) if isinstance(owner, HasActs) else None
+            if (unfolds := _folded_into(target)) is not None:
+                target, act = unfolds, None
+            seen = isinstance(target, QAction) or (target is not None and target.isVisible())
             if seen:
                 reason = _why_off(target) if act is None else act.reason()
                 if isinstance(target, QAction):  # it is never off by itself
@@ -145,6 +147,12 @@ def nothing_to_do() -> str:
     return QCoreApplication.translate("Action", "There is nothing to do here right now.")
 
 
+def _folded_into(target: Target | None) -> QWidget | None:
+    """Return the button that opens the panel in which a target is; ``None`` if it is in none."""
+    panel = target.window() if isinstance(target, QWidget) else None
+    return panel.parentWidget() if isinstance(panel, QMenu) else None
+
+
 def _why_off(target: Target | None) -> str:
     if target is None or target.isEnabled():
         return ""
@@ -152,8 +160,9 @@ def _why_off(target: Target | None) -> str:
 
 
 def use(widget: QWidget) -> None:
-    """Press a button, or focus a widget that needs more than a press."""
-    if isinstance(widget, QAbstractButton) and not isinstance(widget, HoldButton):
+    """Press a button, or focus a widget that needs more than a press, such as one with a menu."""
+    opens = isinstance(widget, QToolButton) and widget.menu() is not None
+    if isinstance(widget, QAbstractButton) and not isinstance(widget, HoldButton) and not opens:
         widget.window().activateWindow()
         widget.click()
         return
