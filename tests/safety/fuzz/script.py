@@ -234,7 +234,7 @@ def _run_otherwise(chance: random.Random) -> tuple[Any, ...]:
         joints(chance),
         joints(chance),
         chance.choice((1, 2)),
-        chance.choice((0.05, 0.5, 2.0)),
+        chance.choice((5, 50, 100)),
         chance.random() < 0.5,
     )
 
