@@ -112,6 +112,8 @@ class Authority:
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
         """When that was sent which the arm has had the time to take in, by what is heard of it."""
+        self._given_s = -math.inf
+        """When the arm was given a target last, or a word to go on to one."""
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
@@ -305,13 +307,16 @@ class Authority:
     def measured_deg(self) -> tuple[float, ...] | None:
         """Return six measured angles fresh enough to start from, or ``None``.
 
-        Of a moving arm, angles that are no longer the newest tell where it was.
+        Of an arm that moves, or was given a target since, angles that are no longer the newest tell
+        where it was.
         """
         seen = self._seen
         if seen is None:
             return None
         late = late_angles(seen.state, seen.now_s, _MOVING_FRESH_S)
-        return None if late and not self.at_rest else seen.state.angles_deg()
+        given_since = late_angles(seen.state, self._given_s, 0.0)
+        rests = self.at_rest and not given_since
+        return None if late and not rests else seen.state.angles_deg()
 
     def why_unmeasured(self) -> Refusal:
         """Return why there are no angles to start from: some were never heard, or come late."""
@@ -395,6 +400,7 @@ class Authority:
             way,
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
+        self._given_s = now_s
         self._cancelled_s, self.cancel_unheeded = None, False
         self._left_by_another = self._met_moving = self._cancel_repeated = False
         self._cut_short = False
@@ -413,6 +419,7 @@ class Authority:
         if not self.is_current(command):
             return None
         self.command = replace(command, joints_deg=tuple(joints_deg), sent_s=now_s)
+        self._given_s = now_s
         return self.command
 
     def replay_told(self, now_s: float) -> None:
@@ -452,6 +459,7 @@ class Authority:
         """Note that the arm was told to continue a motion that was held back."""
         self.holds = frozenset()
         self._left_by_another = self._met_moving = False
+        self._given_s = now_s
         self._overspeed.change_speed()
         if self.command is not None:
             self.command = replace(self.command, sent_s=now_s)

@@ -2,6 +2,7 @@
 
 import pytest
 
+from armui.control.motion.jog_path import JointJog
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import TrajectoryCommand
 from tests.accepted import accepted
@@ -146,3 +147,22 @@ def test_what_ends_our_target(ready, other_host, ends):
     rig.run(0.7)
 
     assert rig.controller.motion.setpoint_deg is None
+
+
+def test_what_moved_while_its_angles_were_not_heard_is_no_place_to_step_from(ready):
+    rig = ready
+    rig.run(1.0)
+    accepted(rig.controller.jogging.start(JointJog(1, 1)))
+    rig.node.link.mute_on |= {0x2A5, 0x2A6, 0x2A7}
+    rig.run_until(lambda: "jog_ended" in rig.codes(), 1.0)
+    moved_deg = rig.firmware.mechanics.positions_deg[0]
+    assert moved_deg > 0.2
+
+    refusal = rig.controller.motion.jog(5, 0.1)
+    rig.run(0.3)
+
+    assert refusal.reason.id == "feedback_silent"
+    assert rig.firmware.mechanics.positions_deg[0] >= moved_deg
+    rig.node.link.mute_on.clear()
+    rig.run(1.0)
+    accepted(rig.controller.motion.jog(5, 0.1))
