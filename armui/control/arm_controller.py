@@ -31,7 +31,7 @@ from armui.control.link.connection import (
 )
 from armui.control.link.device_finder import DeviceFinder
 from armui.control.link.link_watch import LinkWatch
-from armui.control.motion.abort import abort_motion
+from armui.control.motion.abort import abort_motion, clearing_frames
 from armui.control.motion.motion_command import End
 from armui.control.motion.motion_context import MotionContext
 from armui.control.motion_end import MotionEnd
@@ -446,6 +446,8 @@ class ArmController(ControllerParts):
     def _end_all_motion(self) -> None:
         """Let no part go on with what a halt has ended, and no target come back."""
         self._end_driven()
+        if frames := clearing_frames(self._context):
+            self._connection.send_urgent(frames)
         self._authority.cancelled(self._clock())
         for part in (self.motion, self.planned_motion, self.speed_override, self.mode_exit):
             part.halt()

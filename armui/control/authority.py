@@ -348,13 +348,21 @@ class Authority:
         status = None if seen is None else seen.state.status
         if status is None:
             return None
-        sent = self._mode_sent
-        if sent is not None and status.at_s < sent[1] + _SHOWN_S:
-            return ControlMode.CAN_CONTROL, sent[0]
+        if self._mode_sent is not None and self.mode_unproven:
+            return ControlMode.CAN_CONTROL, self._mode_sent[0]
         told = status.value
         if told.control_mode not in _OURS or told.move_mode not in _PLANNED:
             return None
         return ControlMode(told.control_mode), MoveMode(told.move_mode)
+
+    @property
+    def mode_unproven(self) -> bool:
+        """True if the last mode word of ours may be lost: the arm had no time to report its mode.
+
+        The target before it would then wait in the arm for the next mode word, whatever that is.
+        """
+        sent, status = self._mode_sent, None if self._seen is None else self._seen.state.status
+        return sent is not None and (status is None or status.at_s < sent[1] + _SHOWN_S)
 
     # What is sent -------------------------------------------------------------------------------
 

@@ -118,3 +118,24 @@ def test_an_end_is_not_told_again_after_what_came_since(moving, after):
         heard = heard[sent.index(0x155) :]
         assert rig.firmware.joints_deg[1] == pytest.approx(20.0, abs=1.0)
     assert bytes([0, 6, 0, 0, 0, 0, 0, 0]) not in {bytes(one.data) for one in heard}
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda controller: controller.planned_motion.command(TrajectoryCommand.ABORT),
+        lambda controller: controller.halt_and_hold(),
+        lambda controller: controller.end_motion(single=True),
+    ],
+    ids=["abort", "halt", "end"],
+)
+def test_a_target_whose_mode_word_was_lost_is_not_set_going_by_the_next_one(any_rig, end):
+    rig, controller = any_rig, any_rig.controller
+    rig.ready()
+    rig.node.link.lose_to_arm(0x151)
+    accepted(controller.motion.send_joints(FAR))
+    end(controller)
+    controller.motion.set_speed_percent(20)
+    rig.run(1.0)
+
+    assert rig.firmware.mechanics.positions_deg[0] == pytest.approx(0.0, abs=0.01)

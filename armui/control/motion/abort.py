@@ -62,6 +62,16 @@ def ending_frames(connection: Connection) -> list[Frame]:
     return frames
 
 
+def clearing_frames(context: Context) -> list[Frame]:
+    """Return what drops a target whose mode word may be lost (0x150 byte 1 = 4), or nothing.
+
+    It is no motion yet that could be ended, and the next mode word would set it going (S10).
+    """
+    if not context.authority.mode_unproven:
+        return []
+    return commands.trajectory_command(context.connection.codec, TrajectoryCommand.CLEAR_ALL)
+
+
 def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
     """Have the arm end its motion where it is, powered, and drop its target (0x150).
 
@@ -75,7 +85,7 @@ def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
     connection = context.connection
     if connection.device is None or connection.device.listen_only:
         return False
-    frames = ending_frames(connection)
+    frames = ending_frames(connection) + clearing_frames(context)
     context.authority.cancelled(context.clock(), end)
     return connection.send_urgent(frames)
 

@@ -8,6 +8,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST
+from armui.control.motion.abort import clearing_frames
 from armui.control.motion.motion_command import Hold
 from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.retransmission import Retransmission
@@ -134,7 +135,7 @@ class PlannedMotion(ControllerPart):
             self._end_all()
             # Sent in front of targets that still wait in the outbox, which would move the arm
             # first.
-            sent = context.connection.send_urgent(frames)
+            sent = context.connection.send_urgent([*frames, *clearing_frames(context)])
             refusal = None if sent else LINK_LOST()
             context.authority.cancelled(context.clock())
         else:
