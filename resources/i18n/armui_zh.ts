@@ -3886,8 +3886,16 @@
         <translation>第 {row} 行的输入未被采用：{reason}</translation>
     </message>
     <message>
+        <source>The table is not what runs: the run goes by the points as they were when it began. No row is marked.</source>
+        <translation>表格与正在运行的轨迹不一致：运行仍按开始时的轨迹点进行，不标示任何行。</translation>
+    </message>
+    <message>
         <source>Ended at row {row}. {reason}</source>
         <translation>在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>Ended at row {row} of the table as it was. {reason} {changed}</source>
+        <translation>在原表格的第 {row} 行结束。{reason}{changed}</translation>
     </message>
     <message>
         <source>Saved.</source>
@@ -12302,10 +12310,6 @@ The other program must have ended.</source>
         <translation>机械臂不在急停状态，无需解除。</translation>
     </message>
     <message>
-        <source>It was the emergency stop: hold the arm, release it, enable the motors; then the run can go on from this row.</source>
-        <translation>原因是急停：请扶住机械臂，解除急停并重新使能电机，之后可从本行继续。</translation>
-    </message>
-    <message>
         <source>No user frame is in force, or another one than at the press. Choose one under Cell, then press again; or move along base or tool.</source>
         <translation>没有生效的用户坐标系，或已不是按下时的那个。请在“单元”中选择坐标系后再按，或沿基坐标系、工具坐标系移动。</translation>
     </message>
@@ -12418,8 +12422,20 @@ The other program must have ended.</source>
         <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm；这样会更近。请移开。</translation>
     </message>
     <message>
+        <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held.</source>
+        <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件。</translation>
+    </message>
+    <message>
+        <source>Motors were disabled while it ran: the arm was told to end its motion.</source>
+        <translation>运行中电机被失能，已令机械臂结束运动。</translation>
+    </message>
+    <message>
         <source>This is a log that is replayed: nothing can be sent. Whatever is to reach an arm is done in the main window.</source>
         <translation>这是正在回放的日志，不能发送任何指令。要操作机械臂，请回到主窗口。</translation>
+    </message>
+    <message>
+        <source>It was the emergency stop.</source>
+        <translation>原因是急停。</translation>
     </message>
     <message>
         <source>The program was held up for {value} ms, which ended the stream. The next target begins another.</source>
@@ -12428,6 +12444,14 @@ The other program must have ended.</source>
     <message>
         <source>To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm would change its posture. Send poses nearer to one another.</source>
         <translation>到此位姿关节 {joint} 需一次转动 {value}°，超过 {maximum}°：机械臂会改变构型。请发送彼此更接近的位姿。</translation>
+    </message>
+    <message>
+        <source>The arm says that it is there, but measures itself away from the point: {away}. See what keeps it.</source>
+        <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因。</translation>
+    </message>
+    <message>
+        <source>The point was not reached within {seconds} s. See what keeps the arm.</source>
+        <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因。</translation>
     </message>
     <message>
         <source>“{name}” cannot be the name of a log. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>
@@ -12806,14 +12830,6 @@ The other program must have ended.</source>
         <translation>轨迹或录制正在运行（暂停、停留也算）。请等待其完成，或先结束运行。</translation>
     </message>
     <message>
-        <source>Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; then the run can go on from this row.</source>
-        <translation>运行中电机被失能，已令机械臂结束运动。使能电机后，可从该行继续。</translation>
-    </message>
-    <message>
-        <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held; then the run can go on from this row.</source>
-        <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件，之后可从该行继续。</translation>
-    </message>
-    <message>
         <source>The device was disconnected while it ran: the arm was told before to end its motion.</source>
         <translation>运行中断开了设备，断开前已令机械臂结束运动。</translation>
     </message>
@@ -12828,14 +12844,6 @@ The other program must have ended.</source>
     <message>
         <source>A motion of the arm is paused: it holds back every new target. Press Continue or a Clear button under Drag teaching, Planned trajectory.</source>
         <translation>机械臂的运动已暂停，新目标不会执行。请在“示教”的“轨迹指令”中继续或清除。</translation>
-    </message>
-    <message>
-        <source>The point was not reached within {seconds} s. See what keeps the arm, then go on from this row.</source>
-        <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因，之后可从本行继续。</translation>
-    </message>
-    <message>
-        <source>The arm says that it is there, but measures itself away from the point: {away}. See what keeps it, then go on from this row.</source>
-        <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因，之后可从本行继续。</translation>
     </message>
     <message>
         <source>The arm was told to end its motion and still moves. Press the emergency stop if it must not.</source>
@@ -13384,6 +13392,10 @@ The other program must have ended.</source>
     <message>
         <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
+    </message>
+    <message>
+        <source>The points have been changed since that run began: it cannot go on from a row of theirs. Choose “From row” and press Run.</source>
+        <translation>该次运行开始后轨迹点已修改，不能从其中某行继续。请选择“起始行”，再按“发送”。</translation>
     </message>
     <message>
         <source>The log “{name}” is not in the folder any more, or cannot be read: {text}.</source>

@@ -17,6 +17,7 @@ from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
+from armui.ui.trajectory.running.run_bar import POINTS_CHANGED_SINCE_RUN, RunBar
 from tests.accepted import accepted
 from tests.generations import ONE_IS_ENOUGH
 from tests.trajectory.arms import ARM
@@ -211,14 +212,12 @@ def test_the_emergency_stop_ends_it_and_says_where(app_driver):
     operator.until_over()
     assert operator.progress.phase is RunPhase.FAILED
     assert "Ended at row 2" in operator.text("editor_message")
-    assert "It was the emergency stop" in operator.text("editor_message")
+    assert operator.text("editor_message").endswith("It was the emergency stop.")
     assert operator.text("run_resume") == "Continue from row 2"
     assert not operator.child("run_resume").isEnabled()
     app_driver.store.change(language="zh")
     app_driver.step()
-    assert operator.text("editor_message") == (
-        "在第 2 行结束。原因是急停：请扶住机械臂，解除急停并重新使能电机，之后可从本行继续。"
-    )
+    assert operator.text("editor_message") == "在第 2 行结束。原因是急停。"
 
 
 def test_the_end_of_an_earlier_run_is_not_told_after_a_later_one(app_driver):
@@ -236,6 +235,44 @@ def test_the_end_of_an_earlier_run_is_not_told_after_a_later_one(app_driver):
     app_driver.click("run_stop")
     operator.until_over()
     assert [each.text() for each in told] == ["Ended at row 3.", "“Test” ended at row 3."]
+
+
+def test_the_rows_of_a_table_that_is_changed_are_not_those_of_the_run(app_driver):
+    """The run goes by the points as they were: no other row is marked or gone on from."""
+    operator = Operator(app_driver, to(OUT), to(BACK), to(UP))
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    told, resume = operator.child("editor_message"), operator.child("run_resume")
+    app_driver.click("run_pause")
+    operator.window.select_row(0)
+    operator.click("editor_duplicate")
+    assert operator.lit() == []
+    assert told.text().startswith("The table is not what runs")
+    operator.click("editor_undo")
+    assert (operator.lit(), told.text()) == ([1], "")
+    operator.click("editor_delete")
+    app_driver.run(0.3)
+    assert operator.lit() == []
+    app_driver.click("run_stop")
+    operator.until_over()
+    assert told.text().startswith("Ended at row 2 of the table as it was. The points have been")
+    assert not resume.isVisible()
+    operator.click("editor_undo")
+    assert told.text() == "Ended at row 2."
+    assert resume.isVisible()
+
+
+def test_a_file_that_is_changed_is_not_gone_on_with(app_driver):
+    """Where a list shows the run's own trajectory, another program may have changed it."""
+    operator = Operator(app_driver, to(OUT), to(BACK), to(UP))
+    operator.send()
+    operator.until(lambda: operator.progress.index == 1)
+    app_driver.click("run_stop")
+    operator.until_over()
+    bar = operator.window.findChild(RunBar)
+    assert bar._why_not_resume(Trajectory("Test", points=(to(OUT), to(BACK), to(UP)))) is None
+    other = bar._why_not_resume(Trajectory("Test", points=(to(BACK), to(OUT), to(BACK), to(UP))))
+    assert other.reason == POINTS_CHANGED_SINCE_RUN
 
 
 def test_errors_of_the_check_are_not_run(app_driver):

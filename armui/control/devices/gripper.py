@@ -49,8 +49,7 @@ GRIPPER_RANGE_UNKNOWN = Reason(
 )
 RUN_LET_GO = Reason(
     "run_let_go",
-    "The gripper was disabled while it ran: the arm was told to end its motion. See what it "
-    "held; then the run can go on from this row.",
+    "The gripper was disabled while it ran: the arm was told to end its motion. See what it held.",
 )
 GRIPPER_SENT = Notice(
     "gripper_sent", "Gripper: sent to {value} {unit}", Level.INFO, EventKind.COMMAND

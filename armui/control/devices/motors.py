@@ -33,8 +33,7 @@ NOT_STOPPED = Reason(
 )
 RUN_DISABLED = Reason(
     "run_disabled",
-    "Motors were disabled while it ran: the arm was told to end its motion. Enable the motors; "
-    "then the run can go on from this row.",
+    "Motors were disabled while it ran: the arm was told to end its motion.",
 )
 RESUME_SENT = Notice(
     "resume_sent",

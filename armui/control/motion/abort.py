@@ -23,11 +23,7 @@ if TYPE_CHECKING:
     from armui.control.context import Context
     from armui.control.link.connection import Connection
 
-RUN_STOPPED = Reason(
-    "run_stopped",
-    "It was the emergency stop: hold the arm, release it, enable the motors; then the run can go "
-    "on from this row.",
-)
+RUN_STOPPED = Reason("run_stopped", "It was the emergency stop.")
 
 
 _LEFT_ALONE: Final = frozenset(

@@ -16,7 +16,7 @@ from armui.trajectory.points.program import Waypoint
 RUN_ELSEWHERE = Reason(
     "run_elsewhere",
     "The arm says that it is there, but measures itself away from the point: {away}. See what "
-    "keeps it, then go on from this row.",
+    "keeps it.",
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import astuple, replace
 from typing import TYPE_CHECKING, Final
 
@@ -55,8 +55,7 @@ NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to continue.
 NOT_RUNNING = Reason("not_running", "No trajectory is running: nothing to pause.")
 RUN_TOO_SLOW = Reason(
     "run_too_slow",
-    "The point was not reached within {seconds} s. See what keeps the arm, then go on from "
-    "this row.",
+    "The point was not reached within {seconds} s. See what keeps the arm.",
 )
 RUN_NOT_ENDED = Reason(
     "run_not_ended",
@@ -145,6 +144,11 @@ class Player(Execution):
     def sets_lamps(self) -> bool:
         """True if the run under way signals by the lamps."""
         return self.running and self._has_lights
+
+    @property
+    def rows(self) -> Sequence[Waypoint]:
+        """The points of the run, or of the last one, as their table had them as it began."""
+        return () if self._run is None else self._run.rows or self._run.points
 
     # What the operator wants ------------------------------------------------------------------
 

@@ -58,6 +58,7 @@ class Run:
         points: All points.
         expected_s: The time of each from the one before at its own speed, dwell included.
         even_s: The same without dwells and without ramps; empty if it is not known.
+        rows: The points as their table had them, in their user frames; empty if as `points`.
         cycles: The number of cycles, or :data:`ENDLESS`.
         first: The index of the point to begin with, in the first cycle.
         speed_percent: The operator's speed as it begins: the share of each point's own.
@@ -72,6 +73,7 @@ class Run:
     speed_percent: int = 100
     step_by_step: bool = False
     even_s: Sequence[float] = ()
+    rows: Sequence[Waypoint] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,7 +71,7 @@ class RunRequest:
         speed_percent: Returns the operator's speed at which it would begin now.
         told: Called with the request in each new state.
         runs: True to run it; otherwise it is only checked.
-        why_not: Returns for a content's name a further reason against the run.
+        why_not: Returns for the content a further reason against the run.
         clock: Monotonic time in seconds.
 
     Attributes:
@@ -95,7 +95,7 @@ class RunRequest:
         speed_percent: Callable[[], int],
         told: Callable[[RunRequest], object],
         runs: bool = True,
-        why_not: Callable[[str], Refusal | None] = lambda _name: None,
+        why_not: Callable[[Content], Refusal | None] = lambda _content: None,
         clock: Callable[[], float] = steady_s,
     ) -> None:
         self._controller = controller
@@ -164,7 +164,7 @@ class RunRequest:
             self._refuse(checked)
             return
         self.checked = checked
-        if self.runs and self._goes_otherwise():
+        if self.runs and self._goes_otherwise(checked):
             return
         late = self._clock() - self._pressed_s > _SURPRISING_S
         self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
@@ -182,12 +182,12 @@ class RunRequest:
         """Start the run, because the operator agrees."""
         if self.state is RequestState.ASKING and self.checked is not None:
             self._pressed_s = self._clock()
-            if not self._goes_otherwise():
+            if not self._goes_otherwise(self.checked):
                 self._start(self.checked)
 
-    def _goes_otherwise(self) -> bool:
+    def _goes_otherwise(self, checked: Preflight) -> bool:
         """Begin anew if the choices were turned meanwhile; refuse what is not to be run at all."""
-        refusal = self._why_not(self.name)
+        refusal = self._why_not(checked.order.content)
         if refusal is not None:
             self._refuse(refusal)
         elif self._options_shown() != self.options:

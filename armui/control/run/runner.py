@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from armui.control.run.player import Player
     from armui.control.run.preflight import Preflight
     from armui.control.run.replayer import Replayer
+    from armui.trajectory.points.program import Waypoint
 
 
 class Runner(QObject):
@@ -35,6 +37,7 @@ class Runner(QObject):
     def __init__(self, controller: ArmController, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._controller = controller
+        self._compared: tuple[object, object, bool] = (None, None, False)
         controller.player.progressed.connect(self.progressed)
         controller.replayer.progressed.connect(self.progressed)
 
@@ -49,6 +52,13 @@ class Runner(QObject):
         replayer = self._controller.replayer
         return replayer.progress if replayer.running else self._controller.player.progress
 
+    def goes_by(self, points: Sequence[Waypoint]) -> bool:
+        """Return whether the present run of points, or the last one, goes by these."""
+        rows = self._controller.player.rows
+        if self._compared[0] is not rows or self._compared[1] is not points:
+            self._compared = rows, points, rows == points  # slow with ten thousand
+        return self._compared[2]
+
     def start(self, checked: Preflight, speed_percent: int) -> Refusal | None:
         """Run a checked content; return ``None`` if the run has begun, or why not."""
         return refusal_of(self.begin(checked, speed_percent))
@@ -60,7 +70,7 @@ class Runner(QObject):
             checked: What is run.
             speed_percent: The operator's speed as it begins.
         """
-        content, options = checked.content, checked.basis.options
+        content, asked, options = checked.content, checked.order.content, checked.basis.options
         if isinstance(content, Recording):
             replay = Replay(content, speed_percent, options.cycles, checked.outcome.profile)
             return self._controller.replayer.start(replay)
@@ -73,6 +83,7 @@ class Runner(QObject):
             speed_percent,
             options.step_by_step,
             checked.outcome.path.even_s,
+            () if isinstance(asked, Recording) else asked.points,
         )
         return self._controller.player.start(run)
 

@@ -41,7 +41,12 @@ from armui.ui.trajectory.editor.point_edits import (
 )
 from armui.ui.trajectory.editor.points_model import PointsModel
 from armui.ui.trajectory.editor.points_table import PointsTable
-from armui.ui.trajectory.running.run_bar import RunBar, RunChoices, run_commands
+from armui.ui.trajectory.running.run_bar import (
+    POINTS_CHANGED_SINCE_RUN,
+    RunBar,
+    RunChoices,
+    run_commands,
+)
 from armui.ui.widgets.buttons import named, push_button, show_primary
 from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine, Words
@@ -183,7 +188,8 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane(controller)
-        self._plays = self._tells_end = False
+        self._plays = self._tells_run = False
+        self._ran: tuple[Progress | None, bool] = None, False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
             *(controller, checks, choices),
@@ -428,6 +434,8 @@ class EditorPage(Page):
             self.table.show_middle(wanted=True)
         self.table.make_room()
         self._forget_check()
+        if any(self._ran) or self._run_bar.progress.phase not in OVER:
+            self._on_progress(self._run_bar.progress)
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
         """What was found of points that name something of the cell was found with another one."""
@@ -469,6 +477,7 @@ class EditorPage(Page):
             count,
             speeds=speeds_of(self.document.points),
             nothing=None if count else empty,
+            state=self.document.points,
         )
         for name in _OF_POINTS:
             self._actions.allow(name, "" if count else words.refusal(empty))
@@ -528,21 +537,36 @@ class EditorPage(Page):
 
     def _on_progress(self, progress: Progress) -> None:
         ours = progress.name == self.document.name
-        under_way = ours and progress.phase not in OVER
-        row = progress.index if under_way else -1
+        under_way, ended = ours and progress.phase not in OVER, ours and ended_early(progress)
+        same = self._run_bar.goes_by(self.document.points)
+        row = progress.index if under_way and same else -1
         self.model.show_current(row)
-        if under_way and self.isVisible():
+        if row >= 0 and self.isVisible():
             self.table.scrollTo(self.model.index(row, 0))
-        if ours and ended_early(progress):
-            level = Level.INFO if progress.refusal is None else Level.FAULT
-            self._say(partial(self._ended, progress.index + 1, progress.refusal), level)
-            self._tells_end = True
-        elif ours and self._tells_end:
-            self._say("")  # the end of an earlier run
+        ran = progress if ended else None, (under_way or ended) and not same
+        if ran != self._ran:
+            self._ran = ran
+            if any(ran):
+                level = Level.INFO if progress.refusal is None else Level.FAULT
+                self._say(partial(self._of_run, *ran), level)
+                self._tells_run = True
+            elif self._tells_run:
+                self._say("")  # the end of an earlier run
 
-    def _ended(self, row: int, refusal: Refusal | None) -> str:
+    def _of_run(self, ended: Progress | None, changed: bool) -> str:
+        """Tell where a run ended, and that the rows of the table are not those it goes by."""
+        if ended is None:
+            return self.tr(
+                "The table is not what runs: the run goes by the points as they were when it "
+                "began. No row is marked."
+            )
         text = self.tr("Ended at row {row}. {reason}")
-        return text.format(row=row, reason=words.why_not(refusal)).rstrip()
+        if changed:
+            text = self.tr("Ended at row {row} of the table as it was. {reason} {changed}")
+        changed_since = words.refusal(POINTS_CHANGED_SINCE_RUN())
+        reason = words.why_not(ended.refusal)
+        text = text.format(row=ended.index + 1, reason=reason, changed=changed_since)
+        return " ".join(text.split())
 
     # Saving -----------------------------------------------------------------------------------
 
@@ -631,7 +655,8 @@ class EditorPage(Page):
                 text = self.tr("Working on {count} rows…").format(count=outcome.rows)
                 self._say(text)
         elif outcome is None:
-            self._say("")
+            if not self._tells_run:
+                self._say("")
         elif isinstance(outcome, TrajectoryFileError):
             text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
             self._say(text, Level.WARNING)
@@ -666,7 +691,7 @@ class EditorPage(Page):
         self._say(text, Level.FAULT)
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_saved = self._tells_end = False
+        self._tells_saved = self._tells_run = False
         self._message.show_message(text, level)
 
     def _on_saved_changed(self, saved: bool) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QLabel, QSpinBox, QWidget
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState, StopState
 from armui.control.operations.operation import operation_of
@@ -29,7 +29,7 @@ from armui.trajectory.library.run_options import (
 )
 from armui.trajectory.library.store import IndexEntry
 from armui.trajectory.planning.timing import APPROACH_PERCENT
-from armui.trajectory.points.program import SpeedsFrom
+from armui.trajectory.points.program import SpeedsFrom, Trajectory, Waypoint
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.command import Command, Target, also, of_place
@@ -44,6 +44,12 @@ from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
+
+POINTS_CHANGED_SINCE_RUN = Reason(
+    "points_changed_since_run",
+    "The points have been changed since that run began: it cannot go on from a row of theirs. "
+    "Choose “From row” and press Run.",
+)
 
 _ONCE, _TIMES, _LOOP = range(3)
 _SPIN_PX: Final = 34
@@ -60,11 +66,13 @@ class _Started:
         name: What was run.
         cycles: How often was chosen.
         left: How many of these cycles are left.
+        what: What was shown to be run.
     """
 
     name: str
     cycles: int
     left: int
+    what: object
 
 
 class RunChoices(QObject):
@@ -422,7 +430,7 @@ class RunBar(Translated, QWidget):
     def _begin(
         self,
         options: Callable[[], RunOptions],
-        why_not: Callable[[str], Refusal | None] = lambda _name: None,
+        why_not: Callable[[Content], Refusal | None] = lambda _content: None,
         *,
         runs: bool = True,
     ) -> None:
@@ -454,7 +462,7 @@ class RunBar(Translated, QWidget):
             self.withdrawn.emit()
         elif request.state is RequestState.UNDER_WAY and checked is not None:
             cycles = self._options().cycles
-            self._again = _Started(request.name, cycles, request.options.cycles)
+            self._again = _Started(*(request.name, cycles, request.options.cycles, self._what))
             self._shared.note_run(request.name)
             self.started.emit(request.name, self._options())
 
@@ -490,12 +498,25 @@ class RunBar(Translated, QWidget):
 
     def _may_resume(self, name: str) -> bool:
         """Return whether what ran last, wherever it was begun, is what was begun here."""
-        progress = self._runner.progress
-        begun_here = self._again is not None and self._again.name == progress.name == name
-        return begun_here and ended_early(progress)
+        progress, again = self._runner.progress, self._again
+        if again is None or again.what != self._what:
+            return False
+        return again.name == progress.name == name and ended_early(progress)
 
-    def _why_not_resume(self, name: str) -> Refusal | None:
-        return None if self._may_resume(name) else ASKED_OTHERWISE()
+    def _why_not_resume(self, content: Content) -> Refusal | None:
+        if not self._may_resume(content.name):
+            return ASKED_OTHERWISE()
+        same = isinstance(content, Trajectory) and self.goes_by(content.points)
+        return None if same else POINTS_CHANGED_SINCE_RUN()
+
+    @property
+    def progress(self) -> Progress:
+        """The progress of the run under way, or of the last one."""
+        return self._runner.progress
+
+    def goes_by(self, points: Sequence[Waypoint]) -> bool:
+        """Return whether the run under way, or the last one, goes by these points."""
+        return self._runner.goes_by(points)
 
     # How far it has come ----------------------------------------------------------------------
 
