@@ -154,6 +154,21 @@ def test_what_was_found_of_the_way_there_goes_when_the_arm_stands_elsewhere(oper
     assert findings.count() == 1, "it stands where it was checked from"
 
 
+def test_the_run_of_a_check_is_no_motion_away_from_it(operator):
+    operator.click("run_send")
+    operator.workers.work()
+    assert operator.running
+    arm = operator.app_driver.controller
+    operator.app_driver.run_until(lambda: math.dist(arm.state.angles_deg(), HERE) > 3.0)
+    operator.app_driver.click("run_pause")
+    operator.app_driver.run(0.3)
+    assert operator.text("findings_title") == "Check: nothing found."
+    operator.app_driver.click("run_stop")
+    operator.app_driver.run_until(lambda: not operator.running)
+    operator.app_driver.run(0.3)
+    assert operator.text("findings_title").startswith("Check: nothing found. The arm has moved")
+
+
 def test_an_edit_makes_the_check_worthless(operator):
     operator.click("run_send")
     model = operator.window.model

@@ -277,6 +277,7 @@ class EditorPage(Page):
         self._run_bar.refused.connect(self._on_send_refused)
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
+        self._run_bar.started.connect(self._findings.note_run)
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_jogged)
         self._findings.finding_wanted.connect(self._show_finding)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
 from armui.control.run.preflight import Preflight
+from armui.control.run.runner import Runner
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.theme import colors_of
@@ -36,7 +37,8 @@ _MOST = 100
 class FindingsPane(HasActs, Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is none.
 
-    What was found of the way to the first point is left out once the arm stands elsewhere.
+    What was found of the way to the first point is left out once the arm stands elsewhere; the run
+    of this check goes that way.
 
     Args:
         controller: Knows where the arm stands.
@@ -56,7 +58,8 @@ class FindingsPane(HasActs, Translated, QWidget):
     def __init__(self, controller: ArmController) -> None:
         super().__init__()
         self._controller = controller
-        self._moved = False
+        self._runner = Runner(controller, self)
+        self._moved = self._runs = False
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
         self._title = text_label("findings_title", wraps=True)
@@ -80,10 +83,14 @@ class FindingsPane(HasActs, Translated, QWidget):
             checked: The check.
             accept: Called when the operator agrees; not possible with errors.
         """
-        self._checked = checked
+        self._checked, self._runs = checked, False
         self._accept = accept if not checked.errors else None
         self._fill()
         self.show()
+
+    def note_run(self, *_: object) -> None:
+        """Note that the run of this check has begun."""
+        self._runs = True
 
     def withdraw_question(self) -> None:
         """Show the findings alone, without the question."""
@@ -98,11 +105,12 @@ class FindingsPane(HasActs, Translated, QWidget):
         self.asks.emit(False)
 
     def _on_operating_state(self, _operating_state: OperatingState) -> None:
+        self._runs = self._runs and self._runner.running
         if self._checked is not None and self._moved != self._has_moved(self._checked):
             self._fill()
 
     def _has_moved(self, checked: Preflight) -> bool:
-        return checked.why_moved(self._controller) is not None
+        return not self._runs and checked.why_moved(self._controller) is not None
 
     def _fill(self) -> None:
         self.show_acts()
