@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import enum
 import re
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Final
 
+from armui.arm.limits import JointLimits, check_joint
 from armui.arm.refusal import Refusal
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
@@ -76,7 +78,9 @@ def text_of(point: Waypoint, column: PointColumn) -> str:
     return point.note
 
 
-def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
+def edited(
+    point: Waypoint, column: PointColumn, text: str, limits: Sequence[JointLimits] = ()
+) -> Waypoint | Refusal:
     """Return a point after a text was entered in one of its cells, or why it is refused.
 
     Args:
@@ -84,21 +88,26 @@ def edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusa
         column: The cell's column; not that of the kind of motion, see
             :func:`armui.trajectory.planning.convert.to_move`.
         text: The text entered. A figure may have its unit behind it, and a decimal comma.
+        limits: The limits of the six joints, within which an angle entered has to be; empty for
+            any that some arm could have.
 
     Returns:
         The new point, or the reason against it.
     """
     try:
-        changed = _edited(point, column, text.strip())
+        changed = _edited(point, column, text.strip(), limits)
     except TrajectoryFileError as error:
         return error.refusal
     return changed if isinstance(changed, Refusal) else check_point(changed) or changed
 
 
-def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refusal:
+def _edited(
+    point: Waypoint, column: PointColumn, text: str, limits: Sequence[JointLimits]
+) -> Waypoint | Refusal:
     if column in VALUES:
         place = column - PointColumn.VALUE_1
-        value = figure(point.names[place], text, far=bool(point.frame))
+        joint = limits[place] if limits and point.is_joint else None
+        value = figure(point.names[place], text, far=bool(point.frame), limits=joint)
         if isinstance(value, Refusal):
             return value
         target = (*point.target[:place], value, *point.target[place + 1 :])
@@ -121,7 +130,9 @@ def _edited(point: Waypoint, column: PointColumn, text: str) -> Waypoint | Refus
     return replace(point, note=text)
 
 
-def figure(field: str, text: str, *, far: bool = False) -> float | Refusal:
+def figure(
+    field: str, text: str, *, far: bool = False, limits: JointLimits | None = None
+) -> float | Refusal:
     """Return the figure in a text, or why a point cannot have it.
 
     Args:
@@ -129,6 +140,7 @@ def figure(field: str, text: str, *, far: bool = False) -> float | Refusal:
         text: The text as typed: a unit behind the figure, a decimal comma and the typographic minus
             are understood.
         far: True for a point in a user frame.
+        limits: Those of the joint, if the figure is the angle of one.
     """
     plain = _UNIT.sub("", text.strip()).replace("−", "-").replace(",", ".")
     try:
@@ -136,7 +148,8 @@ def figure(field: str, text: str, *, far: bool = False) -> float | Refusal:
     except ValueError:
         code = POINT_NOT_WHOLE if field in WHOLE else POINT_NOT_A_NUMBER
         return Refusal(code, {"field": field, "value": text.strip(), "unit": ""})
-    return check_figure(field, value, far=far) or value
+    beyond = None if limits is None else check_joint(int(field[1:]), value, limits)
+    return beyond or check_figure(field, value, far=far) or value
 
 
 def _six(text: str, *, far: bool) -> Values | Refusal:

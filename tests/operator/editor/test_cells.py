@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QWidget
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.cells import PointColumn
 from armui.trajectory.points.program import GripperOpening, LightAction
-from tests.operator.editor.actions import BACK, UP
+from armui.ui import words
+from tests.operator.editor.actions import BACK, OUT, UP, to
 
 pytestmark = pytest.mark.styled
 
@@ -38,6 +39,21 @@ def test_what_cannot_be_is_said_at_the_cell_and_stays_open(editor):
     editor.enter(field)
     assert not problem.isVisible()
     assert editor.points[0].speed_percent == 25
+
+
+def test_an_angle_is_held_against_the_limits_of_its_joint(editor):
+    """What the check would refuse is not taken; what a file has stays as it came."""
+    model = editor.window.model
+    cell = model.index(0, PointColumn.VALUE_1)
+    beyond = words.refusal(model.why_not(cell, "999"))
+    assert beyond.startswith("Joint 1: 999° is beyond its limits of -150° to 150°.")
+    assert model.why_not(cell, "151") is not None
+    assert model.why_not(cell, "-150°") is None
+    assert cell.data(Qt.ItemDataRole.ToolTipRole) == "J1: -150 – 150 °"
+    document = editor.window.document
+    document.edit((to((200.0, *OUT[1:])), *document.points[1:]), "")
+    assert model.why_not(cell, "200") is None
+    assert model.why_not(model.index(0, PointColumn.VALUE_2), "41") is None
 
 
 def test_escape_leaves_a_cell_as_it_was(editor):

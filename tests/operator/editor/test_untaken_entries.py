@@ -40,7 +40,7 @@ def test_an_entry_that_cannot_be_taken_is_told_by_check_and_run_and_nothing_is_s
             typed(editor, "999", enter=entered)
             app_driver.heard()
             press(editor, button)
-            assert "row 1 was not taken: J1: 999° is out of range" in editor.message()
+            assert "row 1 was not taken: Joint 1: 999° is beyond its limits" in editor.message()
             assert not app_driver.controller.player.running
             assert app_driver.heard() == []
             assert editor.points[0].target == before

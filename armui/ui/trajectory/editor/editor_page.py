@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.run.preflight import Checks, Preflight
@@ -172,7 +173,7 @@ class EditorPage(Page):
         self._tells_saved = False
         self._folder = ""
         self.document = Document(trajectory, self)
-        self.model = PointsModel(self.document, self._to_move, self)
+        self.model = PointsModel(self.document, self._to_move, self._limits, self)
         self.table = PointsTable(self.model)
         self._cell = controller.cell.cell
         self.model.show_cell(self._cell)
@@ -372,6 +373,9 @@ class EditorPage(Page):
         self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
         if refusal is not None:
             self.bring_into_sight(self._message)
+
+    def _limits(self) -> Sequence[JointLimits]:
+        return self._controller.operating_state.limits
 
     def _to_move(self, row: int, move: MoveMode) -> Waypoint | Refusal:
         return self._edits.to_move(row, move)

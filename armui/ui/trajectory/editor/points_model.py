@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, Final
 from PySide6.QtCore import QMimeData, QModelIndex, QObject, Qt, Signal
 from PySide6.QtGui import QColor
 
+from armui.arm.figures import Range
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.protocol.codes import ALL_LAMPS, MoveMode
 from armui.trajectory.files.log_points import LETTERS
@@ -101,6 +103,7 @@ class PointsModel(TableModel):
     Args:
         document: The document with the points.
         to_move: Converts a point when its kind of motion is changed.
+        limits: Returns the limits of the six joints in force, for the angles that are entered.
 
     Attributes:
         tool: Shows poses for the tool in force; what a point keeps is the pose of the flange.
@@ -115,10 +118,17 @@ class PointsModel(TableModel):
     moved = Signal(int, int)
     _columns = len(PointColumn)
 
-    def __init__(self, document: Document, to_move: ToMove, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        to_move: ToMove,
+        limits: Callable[[], Sequence[JointLimits]],
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
         self._document = document
         self._to_move = to_move
+        self._limits = limits
         self._frames: Frames = {}
         self.held_names: Sequence[str] = ()
         self.tool = ToolPoints()
@@ -173,6 +183,9 @@ class PointsModel(TableModel):
         if column in VALUES:
             name = point.names[column - PointColumn.VALUE_1]
             allowed = range_of(name, far=bool(point.frame))
+            if point.is_joint:
+                joint = self._limits()[column - PointColumn.VALUE_1]
+                allowed = Range(joint.min_deg, joint.max_deg, allowed.unit)
             return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
         if column is PointColumn.MOVE and point.frame:
             unknown = why_unknown((point,), self._frames)
@@ -248,7 +261,9 @@ class PointsModel(TableModel):
     def _entered(self, row: int, column: PointColumn, text: str) -> Waypoint | Refusal:
         point = self._points[row]
         if column in POSES:
-            typed = edited(self.tool.shown(point), column, text)
+            if text == text_of(before := self.tool.shown(point), column):
+                return point  # as it came, even beyond the limits of this arm
+            typed = edited(before, column, text, self._limits())
             if isinstance(typed, Refusal):
                 return typed
             kept = self.tool.kept(typed, point)
