@@ -86,6 +86,32 @@ def test_minus_and_plus_act_at_once(grip):
     assert sent(grip)[1:] == [command("00002710 03E8 01 00")]
 
 
+def test_the_target_follows_the_gripper_until_one_is_set(grip2):
+    """What a run did is never taken back by a target that nobody set."""
+    field, send = grip2.find("gripper_opening_field"), grip2.find("gripper_send_button")
+    assert field.text() == "0.000"
+    assert not send.property("primary")
+    grip2.firmware.gripper.travel = grip2.firmware.gripper._target = 32.1  # as by a run
+    grip2.run(0.1)
+    assert field.text() == "32.100"
+    assert not send.property("primary")
+    grip2.type_into("gripper_opening_field", "30")
+    assert field.property("typed")
+    assert send.property("primary")
+    grip2.firmware.gripper.travel = grip2.firmware.gripper._target = 20.0
+    grip2.run(0.1)
+    assert grip2.read("gripper_opening_field") == "30.000"
+    grip2.click("gripper_send_button")
+    grip2.run(0.1)
+    assert field.text() == "30.000"  # it is on its way there
+    assert not send.property("primary")
+    assert not field.property("typed")
+    grip2.run(2.0)
+    grip2.firmware.gripper.travel = grip2.firmware.gripper._target = 10.0
+    grip2.run(0.1)
+    assert field.text() == "10.000"
+
+
 def test_the_slider_fills_the_field(grip):
     slider = grip.find(f"gripper_{grip.effort}_slider")
     slider.setFocus()

@@ -245,6 +245,16 @@ class GripperControl(RequestingPart[str]):
         """Return where the gripper stands, calibrated if its table is applied."""
         return self._shown(gripper.travel, gripper.unit)
 
+    def heading(self, unit: str) -> float | None:
+        """Return where the gripper is being sent, or else stands, calibrated.
+
+        ``None`` if it is not told in this unit.
+        """
+        travel, heard = self._travel, self._last_feedback()
+        if travel is not None and travel.unit == unit:
+            return self._shown(travel.target, unit)
+        return self.shown(heard) if heard is not None and heard.unit == unit else None
+
     def calibrated_mm(self, opening_mm: float) -> float:
         """Return an opening of the arm's as callipers measure it, if its table is applied."""
         return self._shown(opening_mm, _MM)

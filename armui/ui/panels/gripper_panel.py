@@ -13,7 +13,7 @@ from armui.arm.figures import FIGURE_NOT_A_NUMBER
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, GripperState, Reading
 from armui.control.arm_controller import ArmController
-from armui.control.devices.gripper import GRIPPER_SILENT, GripperControl, why_not_move_gripper
+from armui.control.devices.gripper import GripperControl, why_not_move_gripper
 from armui.control.devices.gripper_ranges import GripperFigure, check, gripper_figures
 from armui.control.operating_state import BUSY, OperatingState
 from armui.protocol.generation import Generation
@@ -110,6 +110,9 @@ class MeasureChoice(QWidget):
 class GripperRow(QWidget):
     """A field, a slider, the measured value, and optionally − and + that act at once.
 
+    Attributes:
+        own: True if the operator has set the figure and it was not sent yet.
+
     Args:
         figure: The quantity; its widgets are named ``gripper_<figure>_field``, ``…_slider``.
         steps: Whether it has − and +.
@@ -126,6 +129,7 @@ class GripperRow(QWidget):
         super().__init__()
         name = f"gripper_{figure.name}"
         self._figure = figure
+        self.own = self._own_before = False
         self._label = QLabel()
         self._label.setFixedWidth(_LABEL_PX)
         self.field = named(f"{name}_field", FigureField(fmt.DECIMALS, figure.unit))
@@ -155,8 +159,12 @@ class GripperRow(QWidget):
                 button.setParent(self)
         self.slider.set_limits(0.0, figure.usual)
         self.field.value_edited.connect(self._on_field_edited)
+        self.field.editingFinished.connect(self._on_field_left)
+        self.field.restored.connect(self._on_field_restored)
         self.slider.valueChanged.connect(self._on_slider_moved)
-        self.show_value(figure.first)
+        if not steps:
+            self.field.show_value(figure.first)
+        self._after_change()
         self.retranslate_ui()
 
     @property
@@ -187,9 +195,16 @@ class GripperRow(QWidget):
             self._after_change()
             self.retranslate_ui()
 
-    def show_value(self, value: float | None) -> None:
-        """Set field and slider to a figure without emitting a signal."""
-        self.field.show_value(value)
+    def follow(self, value: float | None) -> None:
+        """Show where the gripper is or is sent, unless the operator has set a figure."""
+        if not self.own and value != self.field.value:
+            self.field.follow(value)
+            self._own_before = False
+            self._after_change()
+
+    def take_back(self) -> None:
+        """Let the figure be the operator's own no longer: it was sent, or the arm is another."""
+        self.own = self._own_before = False
         self._after_change()
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
@@ -207,16 +222,27 @@ class GripperRow(QWidget):
             enable_or_explain(button, why_not, tip.format(step=step))
 
     def _on_field_edited(self) -> None:
+        self.own = True
+        self._after_change()
+        self.edited.emit()
+
+    def _on_field_left(self) -> None:
+        self.own = self._own_before = self.own and bool(self.field.text())
+
+    def _on_field_restored(self) -> None:
+        self.own = self._own_before
         self._after_change()
         self.edited.emit()
 
     def _on_slider_moved(self) -> None:
         self.field.show_value(self.slider.requested)
+        self.own = self._own_before = True
         self._after_change()
         self.edited.emit()
 
     def _after_change(self) -> None:
-        wrong = self.refusal() is not None
+        self.field.show_typed(wanted=self.own)
+        wrong = self.own and self.refusal() is not None
         self.slider.show_requested(self.field.value, attention=wrong)
         self.field.show_attention(wanted=wrong)
 
@@ -293,7 +319,6 @@ class GripperPanel(Panel):
         self._calibrated = text_label("gripper_calibrated", wraps=True)
         self._calibrated.setVisible(False)
         self._stroke_note = text_label("gripper_stroke_note", rank="muted", wraps=True)
-        self._sent: tuple[object, ...] | None = None
         self._measure = MeasureChoice()
         first, second = (self._make_rows(each) for each in Generation)
         self._rows_of: dict[_Kind, tuple[GripperRow, GripperRow]] = {
@@ -370,41 +395,41 @@ class GripperPanel(Panel):
     def _on_send(self) -> None:
         travel, effort = self._travel.field.value, self._effort.field.value
         if travel is None or effort is None:
-            self._accepted(self._first_wrong())
+            self._accepted(self._travel.refusal() or self._effort.refusal())
             return
         if self._accepted(self._controller.gripper.move(travel, effort)):
             self._note_sent()
 
     def _note_sent(self) -> None:
-        self._sent = self._entered()
-        self.show_acts()
+        for row in (self._travel, self._effort):
+            row.take_back()
+        self._show_state(self._controller.state)
         self._show_message()
 
     @send.lit
     def _is_new(self) -> bool:
-        """Return true while what is entered was not sent yet, and is within the ranges."""
-        return self._entered() != self._sent and self._first_wrong() is None
+        """Return true while a figure was set that was not sent yet, and may be."""
+        travel = self._travel
+        here = self._controller.gripper.heading(travel.figure.unit)
+        new = self._effort.own or (travel.own and travel.field.value != here)
+        return new and self._first_wrong() is None
 
     def _first_wrong(self) -> Refusal | None:
-        return self._travel.refusal() or self._effort.refusal()
-
-    def _entered(self) -> tuple[object, ...]:
-        return self._kind, self._travel.field.text(), self._effort.field.text()
+        """Return what is against the figures; a travel that follows may be beyond as it is."""
+        return (self._travel.refusal() if self._travel.own else None) or self._effort.refusal()
 
     def _on_stepped(self, sign: int) -> None:
         """Move by a step, from the target or else the present place, but not beyond the range."""
-        heard, figure = self._controller.state.gripper, self._travel.figure
+        figure = self._travel.figure
         start = self._travel.field.value
         if start is None or self._travel.refusal() is not None:
-            told = heard is not None and heard.value.unit == figure.unit
-            start = self._controller.gripper.shown(heard.value) if heard and told else None
+            start = self._controller.gripper.heading(figure.unit)
         effort = self._effort.field.value
         if start is None or effort is None:
-            self._accepted(self._effort.refusal() or GRIPPER_SILENT())
+            self._accepted(self._effort.refusal() or self._travel.refusal())
             return
         target = min(max(start + sign * figure.step, figure.minimum), figure.maximum)
         if self._accepted(self._controller.gripper.move(round(target, 3), effort)):
-            self._travel.show_value(target)
             self._note_sent()
 
     @ends.why_not
@@ -418,7 +443,6 @@ class GripperPanel(Panel):
         if effort is None:
             self._accepted(self._effort.refusal())
         elif self._accepted(self._controller.gripper.move_to_end(opened=opened, effort=effort)):
-            self._travel.show_value(self._travel.figure.maximum if opened else 0.0)
             self._note_sent()
 
     @power.pressed
@@ -467,6 +491,8 @@ class GripperPanel(Panel):
             self._refusal = None
         if old.device != self._operating_state.device:
             self._event = None
+            for rows in self._rows_of.values():
+                rows[0].take_back()
 
     def _show_state(self, state: ArmState) -> None:
         heard = state.gripper
@@ -476,6 +502,7 @@ class GripperPanel(Panel):
         same = gripper is not None and gripper.unit == self._travel.figure.unit
         shown = self._controller.gripper.shown(gripper) if gripper and same else None
         self._travel.show_measured(shown, stale=stale)
+        self._travel.follow(self._controller.gripper.heading(self._travel.figure.unit))
         self._calibrated.setVisible(self._controller.gripper.is_calibrated)
         effort = None
         if gripper is not None:

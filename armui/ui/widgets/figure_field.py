@@ -54,12 +54,12 @@ class FigureField(QLineEdit):
         self._committed = "" if value is None else fmt.number(value, self._decimals)
         self.setText(self._committed)
 
-    def follow(self, value: float) -> bool:
+    def follow(self, value: float | None) -> bool:
         """Show a changing figure, and return whether its text has changed.
 
         A selected text stays selected.
         """
-        text = fmt.number(value, self._decimals)
+        text = "" if value is None else fmt.number(value, self._decimals)
         if text == self.text():
             return False
         chosen = bool(self.selectedText()) and self.selectedText() == self.text()
