@@ -11593,10 +11593,6 @@ The other program must have ended.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
     <message>
-        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no other target; hold Move inside: these move slowly, all at once, then J5 if the hand lies on the base.</source>
-        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂不接受其他目标；请按住“回到限位内”：这些关节一起缓慢移动，手部贴着底座时 J5 随后也会移动。</translation>
-    </message>
-    <message>
         <source>Paused: with the speed above 0 %, hold “Continue” for 1 s</source>
         <translation>已暂停：速度高于 0 % 时，按住“继续”1 秒</translation>
     </message>
@@ -11659,6 +11655,10 @@ The other program must have ended.</source>
     <message>
         <source>Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, and connect again.</source>
         <translation>没有收到关节 {joints} 的电机反馈。若持续如此，请检查电源和线缆，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no target but a run; hold Move inside: these move slowly, all at once, then J5 if the hand lies on the base.</source>
+        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂只接受轨迹运行，不接受其他目标；请按住“回到限位内”：这些关节一起缓慢移动，手部贴着底座时 J5 随后也会移动。</translation>
     </message>
     <message>
         <source>Joint {joints} beyond its limit: the target was not taken. Send one within the limits.</source>
@@ -12090,10 +12090,6 @@ The other program must have ended.</source>
         <translation>走到路径的 {gone} % 处超出可达范围。请改用 MOVE P，或选择其他目标。</translation>
     </message>
     <message>
-        <source>Outside the limits: {joints}. Until all are inside the arm takes no other target. Hold Move inside in the line above the panels.</source>
-        <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
-    </message>
-    <message>
         <source>The arm would hit itself: {other} against {one}. Move another way.</source>
         <translation>机械臂会碰到自身：{other} 与 {one}。请换一条路径。</translation>
     </message>
@@ -12416,6 +12412,10 @@ The other program must have ended.</source>
     <message>
         <source>“{client}” asks for the arm, or holds it. Wait until it is free, or have the operator take it back.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
+    </message>
+    <message>
+        <source>Outside the limits: {joints}. Until all are inside the arm takes no target but a run. Hold Move inside in the line above the panels.</source>
+        <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂只接受轨迹运行，不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
     </message>
     <message>
         <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>
@@ -16410,6 +16410,10 @@ Before: {before}</source>
     <message>
         <source>The arm sinks though its motors are on: {down} mm lower after {seconds} s (J{joint} {turned}°), now at {speed} mm/s. Below it: {below}. Hold it.</source>
         <translation>电机已使能，但机械臂仍在下沉：{seconds} 秒内下沉 {down} mm（J{joint} {turned}°），当前 {speed} mm/s。下方：{below}。请扶住。</translation>
+    </message>
+    <message>
+        <source>The arm gives way, the tool no lower: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s. Below it: {below}. Hold it.</source>
+        <translation>机械臂在下坠，末端未降低：J{joint} 在 {seconds} 秒内转动 {turned}°，当前 {speed} mm/s。其下方：{below}。请扶住。</translation>
     </message>
     <message>
         <source>The arm moves, and no motor holds it: J{joint} by {turned}° in {seconds} s, now at {speed} mm/s.</source>

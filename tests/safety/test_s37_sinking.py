@@ -7,7 +7,7 @@ from itertools import pairwise
 from armui.control.operating_state import StopState
 from armui.control.safety.recovery_steps import StepKind
 from armui.control.safety.sinking_control import FURTHER_S
-from armui.control.safety.uncommanded_motion import MotionKind, Unheld
+from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion, Unheld
 from armui.sim.faults.schedule import fault
 from armui.ui import words
 from tests.accepted import accepted
@@ -127,6 +127,19 @@ def check_the_sinking_of(rig, pose_deg):
     assert abs(whole["seconds"] - seconds) <= 2
     times_s = [at_s for at_s, _ in told[:-1]]
     assert all(b - a >= FURTHER_S - STEP_S for a, b in pairwise(times_s))
+
+
+def test_where_the_hand_rises_while_the_arm_gives_way_no_height_is_told():
+    motion = UncommandedMotion(MotionKind.SINKS, Unheld.STOPPED, 3, 0, 2, 7.7, 5, "post")
+    assert words.uncommanded_motion(motion) == (
+        "The arm gives way, the tool no lower: J2 by 7.7° in 3 s, now at 5 mm/s. Below it: post. "
+        "Hold it."
+    )
+    assert words.uncommanded_motion_short(motion) == "Moves, 5 mm/s"
+    powered = replace(motion, cause=Unheld.NOT_TOLD)
+    assert words.uncommanded_motion(powered).startswith("The arm moves, and nothing told it to: ")
+    lower = replace(motion, down_mm=1)
+    assert words.uncommanded_motion(lower).startswith("The arm sinks: 1 mm lower after 3 s")
 
 
 def test_an_arm_stopped_on_its_way_is_told_from_the_stop_on(rig):

@@ -351,8 +351,8 @@ class StepKind(enum.Enum):
     OUTSIDE = StepText(
         "outside",
         "Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm "
-        "takes no other target; hold Move inside: these move slowly, all at once, then J5 if the "
-        "hand lies on the base.",
+        "takes no target but a run; hold Move inside: these move slowly, all at once, then J5 if "
+        "the hand lies on the base.",
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",

@@ -258,7 +258,7 @@ class SinkingControl(ControllerPart):
         elif now_s - self._told_s < FURTHER_S:
             return
         elif _is_further(motion, told):
-            sinks = motion.kind is MotionKind.SINKS
+            sinks = motion.kind is MotionKind.SINKS and not motion.is_level
             self._announce(ARM_SINKS_ON if sinks else ARM_MOVES_ON, motion)
         else:
             return

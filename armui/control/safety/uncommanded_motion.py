@@ -83,6 +83,11 @@ class UncommandedMotion:
         }
 
     @property
+    def is_level(self) -> bool:
+        """True if its weight comes down, and the lowest of its end not, as where the hand rises."""
+        return self.kind is MotionKind.SINKS and self.down_mm == 0
+
+    @property
     def is_danger(self) -> bool:
         """True if the operator is to be warned: it moves by no hand, or may be moving."""
         return self.kind in {MotionKind.SINKS, MotionKind.MOVES, MotionKind.UNHEARD}

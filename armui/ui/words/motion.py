@@ -15,6 +15,8 @@ _SENTENCES: Final = Texts("UncommandedMotion") | {
     "{speed} mm/s. Below it: {below}. Hold it.",
     "sinks_powered": "The arm sinks though its motors are on: {down} mm lower after {seconds} s "
     "(J{joint} {turned}°), now at {speed} mm/s. Below it: {below}. Hold it.",
+    "sinks_level": "The arm gives way, the tool no lower: J{joint} by {turned}° in {seconds} s, "
+    "now at {speed} mm/s. Below it: {below}. Hold it.",
     "unheld": "The arm moves, and no motor holds it: J{joint} by {turned}° in {seconds} s, now at "
     "{speed} mm/s.",
     "unheld_joint": "The arm moves, and no motor holds J{joint}: by {turned}° in {seconds} s, now "
@@ -69,7 +71,8 @@ def uncommanded_motion(motion: UncommandedMotion) -> str:
 
 def uncommanded_motion_short(motion: UncommandedMotion) -> str:
     """Return the same in a few words, for a place that is seen with everything else."""
-    return _SHORT.text(motion.kind, _figures(motion)) if motion.kind in _SHORT else ""
+    kind = MotionKind.MOVES if motion.is_level else motion.kind
+    return _SHORT.text(kind, _figures(motion)) if kind in _SHORT else ""
 
 
 def uncommanded_motion_word(kind: MotionKind) -> str:
@@ -84,6 +87,8 @@ def _sentence_of(motion: UncommandedMotion) -> str:
         return seen if known else "unheard"
     if motion.kind is MotionKind.LED:
         return "led"
+    if motion.is_level:
+        return "untold" if motion.cause is Unheld.NOT_TOLD else "sinks_level"
     if motion.kind is MotionKind.SINKS:
         return "sinks_powered" if motion.cause is Unheld.NOT_TOLD else "sinks"
     return "unheld" if motion.cause is None else _OF_CAUSE.get(motion.cause, "unheld")
