@@ -5,6 +5,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu, QWidget
 
 from armui.control.run.progress import RunPhase
+from armui.ui import words
 from tests.operator.test_running import BACK, OUT, Operator, to
 
 
@@ -137,3 +138,20 @@ def test_the_strip_fits_a_small_window(app_driver):
         strip = app_driver.window.findChild(QWidget, "run_strip")
         left = part.mapTo(strip, QPoint(0, 0)).x()
         assert 0 <= left <= strip.width() - part.width()
+
+
+def test_a_speed_beyond_the_range_is_refused_in_words_and_not_sent(app_driver):
+    app_driver.ready()
+    field = app_driver.find("speed_field")
+    for typed in ("150", "-5"):
+        app_driver.heard()
+        app_driver.type_into("speed_field", typed)
+        assert told(app_driver) == []
+        assert app_driver.read("speed_field") == "30 %"
+        assert words.event(app_driver.events[-1]) == (
+            f"Not sent. Speed: {typed} is out of range. Enter a whole number from 0 to 100."
+        )
+    app_driver.type_into("speed_field", "100")
+    before = len(app_driver.events)
+    QTest.keyClick(field, Qt.Key.Key_Up)
+    assert (field.value(), len(app_driver.events)) == (100, before)

@@ -14,6 +14,20 @@ from armui.ui.widgets.track_slider import TrackSlider
 _FIELD_PX: Final = 70
 _STEP_PERCENT: Final = 10
 _FULL_PERCENT: Final = 100
+_TYPED_PERCENT: Final = 999
+
+
+class _PercentBox(QSpinBox):
+    """A field whose steps stay within 0–100 %; what is typed beyond is refused in words."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        # a figure that could not be typed would lose digits without a word
+        self.setRange(-_TYPED_PERCENT, _TYPED_PERCENT)
+
+    def stepBy(self, steps: int) -> None:  # noqa: N802 - the name Qt calls
+        """Step within the range."""
+        super().stepBy(min(max(steps, -self.value()), _FULL_PERCENT - self.value()))
 
 
 class PercentInput(QObject):
@@ -43,8 +57,7 @@ class PercentInput(QObject):
         self.slider.setRange(0, _FULL_PERCENT)
         self.slider.setPageStep(_STEP_PERCENT)
         self.slider.setTracking(False)
-        self.field = named(f"{name}_field", QSpinBox())
-        self.field.setRange(0, _FULL_PERCENT)
+        self.field = named(f"{name}_field", _PercentBox())
         self.field.setSuffix(" %")
         self.field.setKeyboardTracking(False)
         self.field.setAlignment(Qt.AlignmentFlag.AlignCenter)
