@@ -22,6 +22,10 @@ FINER: Final = 4
 """The number of places in each step of the path at which limits are checked."""
 _BEND_SHARE: Final = 0.5
 """The part of an acceleration limit that the path's bends may use up at full speed."""
+_LEAST_RATE: Final = 1e-9
+"""What moves less is rounding: it limits nothing."""
+_LEAST_BEND: Final = 1e-60
+"""The same for bends: small even where it is multiplied by the square of the highest speed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +102,7 @@ def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
     acceleration = np.full(paths, math.inf)
     for each in demands:
         steepest, sharpest = each.rates.max(axis=0), each.bends.max(axis=0)
-        by_bend = np.sqrt(_quotient(_BEND_SHARE * each.accelerations, sharpest))
+        by_bend = np.sqrt(_quotient(_BEND_SHARE * each.accelerations, sharpest, _LEAST_BEND))
         fastest = np.minimum(_quotient(each.speeds, steepest), by_bend)
         top_speed = np.minimum(top_speed, fastest.min(axis=1))
     squared = np.where(np.isfinite(top_speed), top_speed, 0.0)[:, None] ** 2
@@ -108,7 +112,7 @@ def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
     return top_speed, acceleration
 
 
-def _quotient(limits: Values, wanted: Values) -> Values:
+def _quotient(limits: Values, wanted: Values, least: float = _LEAST_RATE) -> Values:
     """Return what is allowed of a unit; infinite where nothing is wanted."""
-    some = wanted > 0.0
+    some = wanted > least
     return np.where(some, limits / np.where(some, wanted, 1.0), math.inf)
