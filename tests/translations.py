@@ -100,8 +100,8 @@ def constants() -> tuple[Constant, ...]:
                         targets=[ast.Name(id=name)],
                         value=ast.Call(func=ast.Name(id=kind), args=[_, _, *_] as given),
                     ) if kind in contexts:
-                        texts = [each.value for each in given if isinstance(each, ast.Constant)]
-                        code, source, *more = map(str, texts)
+                        said = [each.value for each in given if isinstance(each, ast.Constant)]
+                        code, source, *more = (str(each) for each in said if each)
                         of = contexts[kind]
                         found.append(Constant(path, owner, name, of, code, source, tuple(more)))
     return tuple(found)

@@ -11593,6 +11593,10 @@ The other program must have ended.</source>
         <translation>电机未使能。使能后可运动。</translation>
     </message>
     <message>
+        <source>Outside its limits: {outside}. Hold Move inside.</source>
+        <translation>位于限位之外：{outside}。请按住“回到限位内”。</translation>
+    </message>
+    <message>
         <source>Paused: with the speed above 0 %, hold “Continue” for 1 s</source>
         <translation>已暂停：速度高于 0 % 时，按住“继续”1 秒</translation>
     </message>

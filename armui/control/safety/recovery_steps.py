@@ -131,10 +131,12 @@ class StepText(Sentence):
 
     Attributes:
         somewhere: The same for an arm that does not name the joint.
+        shorter: The same where there is no room for it.
     """
 
     context: ClassVar[str] = "RecoveryStep"
     somewhere: str = field(default="", compare=False)
+    shorter: str = field(default="", compare=False)
 
 
 class StepKind(enum.Enum):
@@ -353,6 +355,8 @@ class StepKind(enum.Enum):
         "Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm "
         "takes no target but a run; hold Move inside: these move slowly, all at once, then J5 if "
         "the hand lies on the base.",
+        "",
+        "Outside its limits: {outside}. Hold Move inside.",
     )
     BEYOND_LIMIT = StepText(
         "beyond_limit",

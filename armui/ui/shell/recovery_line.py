@@ -208,7 +208,7 @@ class RecoveryLine(Translated, QWidget):
 
     def _show_step(self) -> None:
         step = self._step
-        self._texts = tuple(f"{text}{self._below()}" for text in words.step_texts(step))
+        self._texts = tuple(f"{text}{self._below(text)}" for text in words.step_texts(step))
         text = self._texts[0]
         if self._asks:
             text = self.tr(
@@ -226,9 +226,14 @@ class RecoveryLine(Translated, QWidget):
         self.update()
         self.step_shown.emit()
 
-    def _below(self) -> str:
-        """Return what an arm that is released drops on, as a sentence of its own (S32)."""
-        if self._step.action is not Action.RESUME:
+    def _below(self, text: str) -> str:
+        """Return what an arm that is released drops on, as a sentence of its own (S32).
+
+        "" where the text has the whole of what the arm does, which tells it too.
+        """
+        motion = self._step.motion
+        told = motion is not None and motion.below and words.uncommanded_motion(motion) in text
+        if self._step.action is not Action.RESUME or told:
             return ""
         names = self._controller.area_guard.below()
         sentence = self.tr("Below the arm: {names}.").format(names=names)
@@ -272,7 +277,7 @@ class RecoveryLine(Translated, QWidget):
             button.setText(label)
             button.setAccessibleName(label)
             use = words.step_danger(action) if step.dangerous else words.step(step)
-            use = f"{use}{self._below()}"
+            use = f"{use}{self._below(use)}"
             enable_or_explain(button, waiting or words.why_not(blocked), use)
         self._other_button.setVisible(step.alternative is not None)
         self._hold_button.setAccessibleName(self.tr("Next step"))

@@ -23,17 +23,15 @@ def step(this: Step) -> str:
 
 def step_texts(this: Step) -> tuple[str, ...]:
     """Return the same in full and then shorter and shorter; what the arm does is in all of them."""
-    text = _obstacle(this)
-    if this.motion is None:
-        return (text,)
-    moves, short = uncommanded_motion(this.motion), uncommanded_motion_short(this.motion)
-    if not moves:
-        return (text,)
+    text, *shorter = _obstacle(this)
+    if this.motion is None or not (moves := uncommanded_motion(this.motion)):
+        return text, *shorter
+    short = uncommanded_motion_short(this.motion)
     return f"{moves} {text}", f"{short}. {text}", moves, short
 
 
-def _obstacle(this: Step) -> str:
-    """Return the obstacle and the remedy, preceded by the result of the last attempt."""
+def _obstacle(this: Step) -> tuple[str, ...]:
+    """Return the obstacle and the remedy, in full and shorter, after the last attempt's result."""
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
@@ -51,10 +49,12 @@ def _obstacle(this: Step) -> str:
         params["part"] = arm.part_name(part)
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
-    text = sentence(told.context, source, params)
+    text, *shorter = (
+        sentence(told.context, each, params) for each in (source, told.shorter) if each
+    )
     if this.locked and this.kind in ARM_FAULTS:
         text = _LOCKED.text().format(obstacle=text)
-    return text if this.failed is None else f"{refusal(this.failed)} {text}"
+    return text if this.failed is None else f"{refusal(this.failed)} {text}", *shorter
 
 
 def step_action(action: Action) -> str:
