@@ -5140,6 +5140,10 @@
         <translation>删除文件夹</translation>
     </message>
     <message>
+        <source>Choose the folder in the list first</source>
+        <translation>请先在列表中选择文件夹</translation>
+    </message>
+    <message>
         <source>Into no folder</source>
         <translation>不放入文件夹</translation>
     </message>

@@ -3,11 +3,12 @@ import re
 import subprocess
 import sys
 from dataclasses import asdict
+from itertools import product
 from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QColor, QFontDatabase, QFontMetricsF, QTextLayout
-from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QPushButton, QWidget
 
 import armui.ui
 from armui.ui import theme
@@ -115,6 +116,23 @@ def test_theme_changes_while_running(qapp, qtbot):
     dark = widget.grab().toImage().pixelColor(8, 8)
     assert light.lightness() > 200 > 100 > dark.lightness()
     apply_theme(qapp, Theme.LIGHT)
+
+
+@pytest.mark.parametrize("colors", [LIGHT, DARK], ids=["light", "dark"])
+def test_what_a_menu_does_not_offer_is_grey(qapp, qtbot, colors):
+    menu = QMenu()
+    qtbot.addWidget(menu)
+    menu.setStyleSheet(style_sheet(colors))
+    action = menu.addAction("Delete")
+    offered, menu_size = menu.grab().toImage(), menu.sizeHint()
+    action.setEnabled(False)
+    grey = menu.grab().toImage()
+    assert menu.sizeHint() == menu_size
+    ink = (colors.text, colors.faint)
+    for color, picture in zip(ink, (offered, grey), strict=True):
+        places = product(range(picture.width()), range(picture.height()))
+        shown = {picture.pixelColor(*place).name() for place in places}
+        assert [each for each in ink if QColor(each).name() in shown] == [color]
 
 
 def test_a_button_without_a_background_of_its_own_knows_its_theme(qapp, qtbot):

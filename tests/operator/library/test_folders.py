@@ -153,9 +153,12 @@ def test_without_a_choice_nothing_is_moved_and_the_reason_is_told(driver):
     assert "Choose a trajectory" in button.toolTip()
     driver.choose("one")
     assert "no folder yet" in button.toolTip()
-    actions = {each.text(): each for each in driver.child("folder_menu").menu().actions()}
+    menu = driver.child("folder_menu").menu()
+    actions = {each.text(): each for each in menu.actions()}
     assert not actions["Delete the folder"].isEnabled()
     assert not actions["Rename the folder…"].isEnabled()
+    assert menu.toolTipsVisible()
+    assert actions["Rename the folder…"].toolTip() == "Choose the folder in the list first"
 
 
 def test_a_folder_that_somebody_renames_is_told_of(cell):

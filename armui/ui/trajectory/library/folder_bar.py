@@ -18,7 +18,7 @@ from armui.trajectory.library.store import IndexEntry, Listing
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.trajectory.library.library_actions import LibraryActions
 from armui.ui.trajectory.library.name_bar import NameBar, NameQuestion
-from armui.ui.widgets.buttons import give_menu, named
+from armui.ui.widgets.buttons import enable_or_explain, give_menu, named
 
 _CHOICE_PX: Final = 110
 
@@ -76,7 +76,7 @@ class FolderBar(HasActs, QObject):
         self.choice.activated.connect(self._on_activated)
         for button in (self.menu_button, self.move_button):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
-        self._menu = QMenu(self.menu_button)
+        self._menu = QMenu(self.menu_button, toolTipsVisible=True)
         acts = {"create": self._create, "rename": self._rename, "delete": self._delete}
         self._acts = {name: self._menu.addAction("") for name in acts}
         for name, act in acts.items():
@@ -204,7 +204,8 @@ class FolderBar(HasActs, QObject):
         self._acts["rename"].setText(self.tr("Rename the folder…"))
         self._acts["delete"].setText(self.tr("Delete the folder"))
         for name in ("rename", "delete"):
-            self._acts[name].setEnabled(bool(self._shown))
+            reason = "" if self._shown else self.tr("Choose the folder in the list first")
+            enable_or_explain(self._acts[name], reason)
         self._targets.clear()
         for folder in ("", *self._folders):
             action = QAction(self._target_text(folder), self._targets)
