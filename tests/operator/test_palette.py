@@ -115,6 +115,14 @@ def test_a_panel_is_found_by_any_of_its_names(app_driver, words):
         ("停止运动", "Halt"),
         ("led", "Light control"),
         ("断电", "Enable or disable"),
+        ("connect", "Connect arm"),
+        ("import", "Import files"),
+        ("zone", "Cell"),
+        ("sensitivity", "Collision level"),
+        ("灵敏度", "Collision level"),
+        ("camera", "Fit"),
+        *((each, "Close the program") for each in ("shutdown", "关机")),
+        *((each, "Operator's view") for each in ("unlock", "解锁")),
     ],
 )
 def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first):
@@ -127,6 +135,9 @@ def test_what_an_operator_calls_a_thing_finds_it_first(app_driver, words, first)
     ("word", "named"),
     [
         ("stop", {"Emergency stop", "Halt"}),
+        ("calibrate", {"Cell", "Set zero"}),
+        ("标定", {"Cell", "Set zero J1–J6"}),
+        ("csv", {"Export a log", "Import files"}),
         ("reset", {"Release the emergency stop", "Clear error J1–J6"}),
         ("复位", {"Release the emergency stop", "Clear error J1–J6"}),
     ],

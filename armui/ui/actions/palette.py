@@ -164,7 +164,7 @@ class CommandPalette(ArmDialog):
         self.setObjectName("command_palette")
         self._source = items
         self._names = Names()
-        self._hindered: set[str] = set()
+        self._later: dict[str, tuple[bool, bool]] = {}
         self._items: list[tuple[PaletteItem, SearchText]] = []
         self._unnamed: set[str] = set()
         self.search = named("palette_search", QLineEdit())
@@ -226,7 +226,9 @@ class CommandPalette(ArmDialog):
         before = self._chosen() if keep else None
         told = self._message.isVisible() and before is not None
         if not keep:  # rows that changed places while one is read would be pressed for each other
-            self._hindered = {item.command.name for item, _ in self._items if item.reason}
+            self._later = {
+                item.command.name: (bool(item.reason), not item.seen) for item, _ in self._items
+            }
         self._unnamed = {
             item.command.name
             for item, _ in self._items
@@ -253,15 +255,16 @@ class CommandPalette(ArmDialog):
     def _order(self, how: tuple[int, ...], place: int) -> tuple[object, ...]:
         """Return what an item is sorted by: of those that match alike what can be done is first.
 
-        Dangerous commands sort last, and before them what moves the arm and was not named: Enter
-        must not choose one while anything else matches.
+        What needs a page to be opened comes after what stands there already. Dangerous commands
+        sort last, and before them what moves the arm and was not named: Enter must not choose one
+        while anything else matches.
         """
         command = self._items[place][0].command
         if not self.search.text().strip():
             return (place,)
         *match, length = how
         last = command.dangerous, command.name in self._unnamed
-        return *last, match, command.name in self._hindered, length
+        return *last, match, self._later[command.name], length
 
     def _chosen(self) -> PaletteItem | None:
         return self._model.item(self.list.currentIndex().row())

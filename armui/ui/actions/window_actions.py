@@ -72,12 +72,13 @@ _COMMANDS: Final = (
     Command("window.theme", Text("Action", "Theme: light or dark"),
             synonyms=also("dark light night 深色 浅色 夜间")),
     Command(_OPERATOR_VIEW, Text("Action", "Operator's view: only jog, run and stop"),
-            synonyms=also("lock kiosk protect 锁定 操作员")),
+            synonyms=also("lock unlock kiosk protect 锁定 解锁 操作员")),
     Command("everywhere.guide", Text("Action", "User guide"),
             synonyms=also("manual help documentation font text size 帮助 手册 说明书 字体 字号")),
     Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
             synonyms=also("keys hotkeys 热键")),
-    Command("window.close", Text("Action", "Close the program"), synonyms=also("quit exit 退出")),
+    Command("window.close", Text("Action", "Close the program"),
+            synonyms=also("quit exit shutdown 退出 关机")),
 )
 # fmt: on
 

@@ -303,6 +303,7 @@ class GripperPanel(Panel):
                 whose=True,
                 key=f"gripper.{act}",
                 title=GRIPPER_ACTS.entry(act),
+                synonyms=also("calibrate 标定") if act == "zero" else (),
             )
             for act, does in _POWER.items()
         }

@@ -59,7 +59,10 @@ _USES: Final = Texts("MotorPanel") | {
     MotorAct.CLEAR: "Clears the error of the joint's driver; nothing moves.",
 }
 
-_CLEARING: Final = also("reset alarm fault 复位 清错 报警 故障")
+_ALSO: Final = {
+    MotorAct.CLEAR: also("reset alarm fault 复位 清错 报警 故障"),
+    MotorAct.ZERO: also("calibrate 标定"),
+}
 
 
 class MotorPanel(Panel):
@@ -78,7 +81,7 @@ class MotorPanel(Panel):
                 tip=_USES.entry(act),
                 key=f"motor.{act.value}_{joint}",
                 title=replace(_LABELS.entry(act), suffix=whose),
-                synonyms=_CLEARING if act is MotorAct.CLEAR else (),
+                synonyms=_ALSO.get(act, ()),
                 on_enter=False,
             )
             for joint, whose in ((ALL_JOINTS, "J1–J6"), *((joint, f"J{joint}") for joint in JOINTS))

@@ -49,7 +49,10 @@ _TIPS: Final = Texts("ViewBar") | {
     "copy": "Puts the picture with its figures into the clipboard",
 }
 """The tooltip of each action; name and key are those of ``view.<action>`` in `SHORTCUTS`."""
-_ALSO: Final = dict.fromkeys(("save", "copy"), also("screenshot image capture 截图 截屏"))
+_ALSO: Final = {
+    **dict.fromkeys(("save", "copy"), also("screenshot image capture 截图 截屏")),
+    **dict.fromkeys(("iso", "fit", "follow"), also("camera 相机")),
+}
 _SWITCHES: Final = ("follow", "orthographic", "tool_frame", "reach", "area", "frames")
 _HANDLES: Final = Texts("ViewBar") | {
     None: "No handles",

@@ -76,7 +76,7 @@ PANELS: Final = (
                also("freedrive free drive hand guide lead through 拖拽")),
     PanelEntry("cell", Text("SideMenu", "Cell"), CellPanel,
                lambda arm, store, _: CellPanel(arm, store),
-               also("tool tcp frame work area box table safety fence calibrate "
+               also("tool tcp frame work area zone box table safety fence calibrate "
                     "工具 坐标系 工作区 桌子 禁区 围栏 安全 标定")),
     PanelEntry("light", Text("SideMenu", "Light control"), LightPanel,
                lambda arm, _store, _: LightPanel(arm),
@@ -95,7 +95,7 @@ PANELS: Final = (
                group=MenuGroup.SETTINGS),
     PanelEntry("collision", Text("SideMenu", "Collision level"), CollisionPanel,
                lambda arm, _store, open_backup: CollisionPanel(arm, open_backup),
-               also("protection crash 碰撞"),
+               also("protection crash sensitivity 碰撞 灵敏度"),
                group=MenuGroup.SETTINGS),
     PanelEntry("motor", Text("SideMenu", "Motor settings"), MotorPanel,
                lambda arm, _store, _: MotorPanel(arm),

@@ -43,7 +43,7 @@ class LibraryBar(HasActs, QWidget):
                 named=f"library_{name}",
                 key=f"library.{name}",
                 shortcut="",
-                synonyms=also("open load file 打开 文件") if name == "import" else (),
+                synonyms=also("open load file csv 打开 文件") if name == "import" else (),
             )
             for name in ("import", "create", "record", "delete", "duplicate", "rename")
         }
