@@ -12,8 +12,7 @@ from armui.arm.reference_record import read_record
 from armui.arm.refusal import Reason, Refusal
 
 SETTING_BAD = Reason(
-    "setting_bad",
-    "Setting “{field}”: “{value}” is not valid. The default is used instead.",
+    "setting_bad", "Setting “{field}”: “{value}” is not valid. The default is used instead."
 )
 JOG_STEP_NOT_A_NUMBER = Reason(
     "jog_step_not_a_number",

@@ -10,8 +10,7 @@ from armui.cell.checks import check_figure, check_names, check_pose, check_sizes
 from armui.cell.parts import part_named, put, without
 
 AREA_TOO_MANY = Reason(
-    "area_too_many",
-    "A work area has at most {planes} planes and {boxes} boxes. Delete one first.",
+    "area_too_many", "A work area has at most {planes} planes and {boxes} boxes. Delete one first."
 )
 
 MOST_PLANES: Final = 8

@@ -52,7 +52,5 @@ CLIENT_ASKS = Notice(
     "client_asks", "“{client}” asks: {operation}", kind=EventKind.COMMAND, asker=Asker.CLIENT
 )
 CONSENT_GRANTED = Notice(
-    "consent_granted",
-    "The operator has let “{client}” do it: {operation}",
-    kind=EventKind.COMMAND,
+    "consent_granted", "The operator has let “{client}” do it: {operation}", kind=EventKind.COMMAND
 )

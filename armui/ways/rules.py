@@ -43,8 +43,7 @@ TOO_LOW = Reason(
     "under Settings. Move upwards.",
 )
 HITS_ITSELF = Reason(
-    "hits_itself",
-    "The arm would hit itself: {other} against {one}. Move another way.",
+    "hits_itself", "The arm would hit itself: {other} against {one}. Move another way."
 )
 TOUCHES_ITSELF = Reason(
     "touches_itself",

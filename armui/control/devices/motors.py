@@ -32,8 +32,7 @@ NOT_STOPPED = Reason(
     "not_stopped", "The arm is not in emergency stop: there is nothing to release."
 )
 RUN_DISABLED = Reason(
-    "run_disabled",
-    "Motors were disabled while it ran: the arm was told to end its motion.",
+    "run_disabled", "Motors were disabled while it ran: the arm was told to end its motion."
 )
 RESUME_SENT = Notice(
     "resume_sent",

@@ -49,10 +49,7 @@ SETTINGS_SENT = Notice(
     "settings_sent", "Settings sent to the arm: {count}", Level.INFO, EventKind.COMMAND
 )
 SETTINGS_SAVED = Notice(
-    "settings_saved",
-    "Settings saved and read back: {settings}",
-    Level.DONE,
-    EventKind.RESULT,
+    "settings_saved", "Settings saved and read back: {settings}", Level.DONE, EventKind.RESULT
 )
 SETTINGS_REFUSED = Notice(
     "settings_refused",

@@ -54,8 +54,7 @@ RUN_SPEED_ZERO = Reason(
 NOT_PAUSED = Reason("not_paused", "No trajectory is paused: nothing to continue.")
 NOT_RUNNING = Reason("not_running", "No trajectory is running: nothing to pause.")
 RUN_TOO_SLOW = Reason(
-    "run_too_slow",
-    "The point was not reached within {seconds} s. See what keeps the arm.",
+    "run_too_slow", "The point was not reached within {seconds} s. See what keeps the arm."
 )
 RUN_NOT_ENDED = Reason(
     "run_not_ended",

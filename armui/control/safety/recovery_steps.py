@@ -367,8 +367,7 @@ class StepKind(enum.Enum):
         "The last target is beyond a limit and was not taken. Send another one.",
     )
     NO_SOLUTION = StepText(
-        "no_solution",
-        "The last target has no solution and was not taken. Send another one.",
+        "no_solution", "The last target has no solution and was not taken. Send another one."
     )
     SINGULARITY = StepText(
         "singularity",

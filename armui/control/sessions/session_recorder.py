@@ -62,11 +62,7 @@ SESSION_ENDED = Notice(
     Asker.PROGRAM,
 )
 SESSION_FAILED_NOTICE = Notice(
-    "session_failed",
-    "The log has ended: {reason}",
-    Level.WARNING,
-    EventKind.RESULT,
-    Asker.PROGRAM,
+    "session_failed", "The log has ended: {reason}", Level.WARNING, EventKind.RESULT, Asker.PROGRAM
 )
 RING_SAVED = Notice(
     "ring_saved", "What just happened is saved: {name}", Level.DONE, EventKind.PROGRAM

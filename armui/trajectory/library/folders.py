@@ -21,8 +21,7 @@ FOLDER_TAKEN = Reason(
     "folder_taken", "There is a “{name}” in the library's folder already. Choose another name."
 )
 FOLDER_NAME_UNUSABLE = Reason(
-    "folder_name_unusable",
-    "Not every system takes a folder called “{name}”. “{fitting}” would do.",
+    "folder_name_unusable", "Not every system takes a folder called “{name}”. “{fitting}” would do."
 )
 FOLDER_GONE = Reason(
     "folder_gone",

@@ -49,8 +49,7 @@ TARGET_REFUSED = Reason(
     "target_refused", "The arm itself refuses its last target: {status}. Send another one."
 )
 POSE_NOT_A_NUMBER = Reason(
-    "pose_not_a_number",
-    "{axis}: “{value}” is not a number. Enter mm or degrees, for example 12.5.",
+    "pose_not_a_number", "{axis}: “{value}” is not a number. Enter mm or degrees, for example 12.5."
 )
 
 

@@ -51,10 +51,7 @@ class FolderBar(HasActs, QObject):
         key="library.folder_menu",
     )
     move_button = Act(
-        "Move to…",
-        named="library_move",
-        tip="Moves what is chosen to a folder",
-        key="library.move",
+        "Move to…", named="library_move", tip="Moves what is chosen to a folder", key="library.move"
     )
 
     def __init__(

@@ -48,13 +48,7 @@ class SendBox(HasActs, Translated, QWidget):
         texts: Formats the typed frame.
     """
 
-    unlock = Act(
-        "Send by hand",
-        named="bus_unlock",
-        key="bus.unlock",
-        held=True,
-        risky=True,
-    )
+    unlock = Act("Send by hand", named="bus_unlock", key="bus.unlock", held=True, risky=True)
     send = Act("Send", named="bus_send", key="bus.send", leads=True)
     hold = Act("Hold to send", named="bus_hold_to_send", held=True)
     lock = Act(

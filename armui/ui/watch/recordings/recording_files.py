@@ -18,8 +18,7 @@ SESSION_NAME_TAKEN = Reason(
     "There is a file called “{name}” in the folder already. Choose another name.",
 )
 SESSION_GONE = Reason(
-    "session_gone",
-    "The log “{name}” is not in the folder any more, or cannot be read: {text}.",
+    "session_gone", "The log “{name}” is not in the folder any more, or cannot be read: {text}."
 )
 
 
