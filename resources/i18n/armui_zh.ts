@@ -8097,6 +8097,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>关闭程序不会使机械臂停止，它会继续运动到目标点。若不允许，请按急停。</translation>
     </message>
     <message>
+        <source>No motor holds it, or nothing told it to move. Closing the program does not hold it, and nobody tells any more how far it goes.</source>
+        <translation>没有电机保持它，或没有任何指令让它运动。关闭程序不会保持它，也不再有人告知它走了多远。</translation>
+    </message>
+    <message>
         <source>Drag teaching is under way</source>
         <translation>示教正在进行</translation>
     </message>

@@ -14,7 +14,7 @@ from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.protocol.frame import Frame
-from armui.ui.dialogs.confirm_dialog import CloseQuestion
+from armui.ui.dialogs.confirm_dialog import CloseQuestion, ConfirmDialog
 from tests.accepted import accepted
 from tests.arm_rig import TIMEOUT_MS
 from tests.failing import failing, functions_of
@@ -251,3 +251,17 @@ def test_the_question_goes_once_the_arm_has_arrived(app_driver):
     assert app_driver.window.isVisible()
     assert app_driver.window.close()
     assert not app_driver.window.isVisible()
+
+
+def test_while_the_arm_sinks_closing_asks_and_the_question_goes_with_it(app_driver):
+    app_driver.lie(FAR)
+    app_driver.ready()
+    app_driver.controller.emergency_stop()
+    app_driver.run_until(lambda: app_driver.controller.operating_state.uncommanded is not None)
+    app_driver.window.close()
+    assert app_driver.window.isVisible()
+    assert "does not hold it" in app_driver.dialog(ConfirmDialog).text()
+    app_driver.run_until(lambda: app_driver.controller.operating_state.uncommanded is None, 60.0)
+    app_driver.run(0.2)
+    assert not app_driver.window.findChildren(ConfirmDialog)
+    assert app_driver.window.close()

@@ -269,8 +269,8 @@ def close_unless_moving(
         close_now: Closes the window without asking again.
     """
     operating_state = controller.operating_state
-    teaches = is_taught(controller)
-    if not (operating_state.moving or teaches):
+    teaches, gives_way = is_taught(controller), operating_state.uncommanded is not None
+    if not (operating_state.moving or teaches or gives_way):
         close_now()
         return
     if operating_state.mover is Mover.OURS:
@@ -282,6 +282,12 @@ def close_unless_moving(
         "Closing the program does not stop the arm: it goes on to its target. "
         "Press the emergency stop if it must not.",
     )
+    if gives_way:
+        text = QCoreApplication.translate(
+            "MainWindow",
+            "No motor holds it, or nothing told it to move. Closing the program does not hold it, "
+            "and nobody tells any more how far it goes.",
+        )
     if teaches:
         title = QCoreApplication.translate("MainWindow", "Drag teaching is under way")
         text = QCoreApplication.translate(
@@ -297,8 +303,12 @@ def close_unless_moving(
         text=text,
         action_label=QCoreApplication.translate("MainWindow", "Close anyway"),
         on_confirmed=close_now,
-        still=lambda: is_taught(controller) if teaches else controller.operating_state.moving,
+        still=lambda: is_taught(controller) if teaches else _moves(controller.operating_state),
     )
+
+
+def _moves(operating_state: OperatingState) -> bool:
+    return operating_state.moving or operating_state.uncommanded is not None
 
 
 def is_taught(controller: ArmController) -> bool:
