@@ -254,7 +254,7 @@ def test_the_question_goes_once_the_arm_has_arrived(app_driver):
 
 
 def test_while_the_arm_sinks_closing_asks_and_the_question_goes_with_it(app_driver):
-    app_driver.lie(FAR)
+    app_driver.lie((0.0, 12.0, -15.0, 0.0, 0.0, 0.0))
     app_driver.ready()
     app_driver.controller.emergency_stop()
     app_driver.run_until(lambda: app_driver.controller.operating_state.uncommanded is not None)
