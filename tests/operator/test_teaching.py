@@ -6,6 +6,9 @@ import can
 import pytest
 from shiboken6 import isValid
 
+from armui.control.devices.teaching_phase import TeachingPhase
+from armui.control.events import Level
+from armui.control.safety.recovery_steps import Step, StepKind
 from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -301,6 +304,18 @@ def test_teaching_is_left_one_step_at_a_time(taught):
     app_driver.click("recovery_button")
     app_driver.run_until(lambda: not app_driver.find("teaching_exit_steps").isVisible())
     assert app_driver.controller.operating_state.cannot_move is None
+
+
+def test_an_arm_that_lies_outside_its_limits_is_out_of_drag_teaching(qtbot):
+    """Once enabled, what is left to do is no step of the list."""
+    steps = TeachingExitSteps()
+    qtbot.addWidget(steps)
+    steps.show_step(TeachingPhase.RECORDING, Step(StepKind.DRAG_MODE, Level.WARNING))
+    steps.show_step(TeachingPhase.OFF, Step(StepKind.MOTORS_OFF, Level.INFO))
+    assert steps.due == 4
+    steps.show_step(TeachingPhase.OFF, Step(StepKind.OUTSIDE, Level.WARNING))
+    assert steps.due == 0
+    assert steps.isHidden()
 
 
 def test_a_stop_before_the_arm_was_led_back_ticks_no_step_that_was_not_taken(taught):

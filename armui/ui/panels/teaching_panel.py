@@ -71,7 +71,10 @@ arm's feedback leads from one to the next.
 """
 
 _STOPPED: Final = frozenset({StepKind.STOP_REQUESTED, StepKind.STOPPED, StepKind.STOPPED_INPUT})
-_OVER: Final = UNHINDERED | {StepKind.NO_DEVICE, StepKind.OPENING, StepKind.NO_MOTION}
+_OVER: Final = UNHINDERED | {
+    *(StepKind.NO_DEVICE, StepKind.OPENING, StepKind.NO_MOTION),
+    StepKind.OUTSIDE,  # its motors are on: what is left to do is no step out of drag teaching
+}
 _PHASES: Final = Texts("TeachingPhase") | {
     TeachingPhase.OFF: "Not in drag teaching",
     TeachingPhase.IDLE: "In drag teaching, nothing under way",
