@@ -201,6 +201,7 @@ def test_what_comes_from_a_file_is_no_recording_made_here(operator):
         operator.window = operator.app_driver.page(RecordingPage)
         assert operator.text("record_state") == f"{told}2.0 s, 200 samples, 13 kB"
         assert operator.window.title == "Trim samples"
+        assert operator.window.focusWidget().objectName() == "record_preview"
 
 
 def test_times_that_leave_nothing_are_not_saved(operator):

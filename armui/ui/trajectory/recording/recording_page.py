@@ -209,7 +209,7 @@ class RecordingPage(Page):
         if recording is not None:
             self._show_recording(recording)
         self.retranslate_ui()
-        self._record.setFocus()
+        self.take_focus()
 
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
@@ -577,8 +577,8 @@ class RecordingPage(Page):
         return self.tr("Recorded: {time}, {count} samples, {size}")
 
     def take_focus(self) -> None:
-        """Focus the button that records."""
-        self._record.setFocus()
+        """Focus the button that records, or that shows what the library has."""
+        (self._preview if self._is_kept else self._record).setFocus()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Update the state, which was not updated while the page was hidden."""
