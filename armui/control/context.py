@@ -37,6 +37,7 @@ GENERATION_UNKNOWN = Reason(
     "The program is still finding out which protocol the arm speaks. Wait a second.",
 )
 REFUSED = Notice("refused", "Not sent. {reason}", Level.WARNING, EventKind.COMMAND)
+NOT_DONE = Notice("not_done", "Not done. {reason}", Level.WARNING, EventKind.COMMAND)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +69,14 @@ class Context:
     authority: Authority
     begun: Callable[[str], object]
 
-    def refuse(self, refusal: Refusal) -> Refusal:
-        """Tell the operator why something was not done; return the reason."""
-        self.tell(REFUSED, reason=refusal)
+    def refuse(self, refusal: Refusal, *, sends: bool = True) -> Refusal:
+        """Tell the operator why something was not done; return the reason.
+
+        Args:
+            refusal: The reason.
+            sends: True if something would have been sent to the arm.
+        """
+        self.tell(REFUSED if sends else NOT_DONE, reason=refusal)
         return refusal
 
     def close(

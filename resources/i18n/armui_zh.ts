@@ -8886,6 +8886,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>单元：{reason}</translation>
     </message>
     <message>
+        <source>Not done. {reason}</source>
+        <translation>未执行。{reason}</translation>
+    </message>
+    <message>
         <source>The gripper is at {value} {unit}.</source>
         <translation>夹爪已到 {value} {unit}。</translation>
     </message>

@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 
 from armui.session.recording.episodes import episodes_of
 from armui.session.recording.recorded_session import RecordedSession
+from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.watch.recordings.sessions_page import SessionsPage
 from armui.ui.watch.replay.time_line import TimeLine, mark_text
@@ -26,6 +27,9 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
     pads = Pads()
     episodes = app_driver.controller.episodes
     assert "No log is being written" in card.begin_button.toolTip()
+    QTest.keyClick(app_driver.window, Qt.Key.Key_F6)
+    told = words.event(app_driver.events[-1])
+    assert told.startswith("Not done. No log is being written"), "nothing of it was to be sent"
     app_driver.click("session_record")
     app_driver.run(0.3)
     card.task_field.setText("stack the cubes")

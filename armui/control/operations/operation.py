@@ -82,6 +82,7 @@ def operation(
     moves: bool = False,
     consent: Consent = Consent.NONE,
     shown_first: bool = False,
+    sends: bool = True,
     first: Callable[[Any], object] = lambda _part: None,
 ) -> Callable[
     [Callable[Concatenate[_AnyPart, Started, _P], Refusal | None]],
@@ -101,6 +102,7 @@ def operation(
         moves: As in :class:`Operation`.
         consent: As in :class:`Operation`.
         shown_first: As in :class:`Operation`.
+        sends: False if nothing of it is for the arm.
         first: Does with the part what every press does, even one that is refused.
 
     Returns:
@@ -135,7 +137,7 @@ def operation(
             if refusal is None:
                 return started
             started.close(Ending.REFUSED)
-            return context.refuse(refusal)
+            return context.refuse(refusal, sends=sends)
 
         return carry_out
 

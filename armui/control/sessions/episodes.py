@@ -140,7 +140,7 @@ class Episodes(QObject):
 
     # By whoever marks -------------------------------------------------------------------------
 
-    @operation("episode.begin", "Begin an episode", why_not_begin_episode)
+    @operation("episode.begin", "Begin an episode", why_not_begin_episode, sends=False)
     def begin(self, started: Started, task: str | None = None) -> Refusal | None:
         """Mark the beginning of an episode.
 
@@ -161,14 +161,14 @@ class Episodes(QObject):
         self._show()
         return None
 
-    @operation("episode.end", "End the episode", why_not_end_episode)
+    @operation("episode.end", "End the episode", why_not_end_episode, sends=False)
     def end(self, started: Started) -> None:
         """Mark the end of the episode under way."""
         self._end(EPISODE_ENDED, started)
         started.close(Ending.DONE)
         self._show()
 
-    @operation("episode.discard", "Discard the last episode", why_not_discard_episode)
+    @operation("episode.discard", "Discard the last episode", why_not_discard_episode, sends=False)
     def discard(self, started: Started) -> None:
         """Note that the last episode is not wanted; one under way ends."""
         if self.under_way is not None:

@@ -214,7 +214,7 @@ class SessionRecorder(QObject):
         elif name is not None and not is_name(name):
             refusal = SESSION_NAME_BAD(name=name)
         if refusal is not None:
-            return self._context.refuse(refusal)
+            return self._context.refuse(refusal, sends=False)
         from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - python-can
 
         collector = self._begin_collecting()
@@ -239,7 +239,7 @@ class SessionRecorder(QObject):
         """
         recording = self._recording
         if recording is None:
-            return self._context.refuse(SESSION_NONE())
+            return self._context.refuse(SESSION_NONE(), sends=False)
         self.look()
         if self._recording is not None:
             self._end(recording, "operator")
@@ -257,7 +257,7 @@ class SessionRecorder(QObject):
         elif self._ring is None or not self._ring.span()[0]:
             refusal = SESSION_RING_EMPTY()
         if refusal is not None or self._ring is None or self._collector is None:
-            return None if refusal is None else self._context.refuse(refusal)
+            return None if refusal is None else self._context.refuse(refusal, sends=False)
         self.look()
         self._facts.reset()
         lines = self._facts.news()
