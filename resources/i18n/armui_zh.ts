@@ -7702,8 +7702,8 @@ at 100 %</source>
         <translation>另有 {count} 个文件未导入，详见导入结果。</translation>
     </message>
     <message>
-        <source>Not imported yet: {names}</source>
-        <translation>尚未导入：{names}</translation>
+        <source>Not imported yet: {names}. Press “Import by columns…”.</source>
+        <translation>尚未导入：{names}。请按“按列导入…”。</translation>
     </message>
     <message>
         <source>the tool “{name}”</source>

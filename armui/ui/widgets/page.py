@@ -85,10 +85,18 @@ class Page(HasActs, Translated, QWidget):
         return {}
 
     def bring_into_sight(self, part: QWidget) -> None:
-        """Scroll to a part of the body, once it has its place: there may be little height."""
+        """Scroll to a part of the body, once it has its place: there may be little height.
+
+        A part that is hidden by then is none.
+        """
         area = self._area
+
+        def scroll() -> None:
+            if area is not None and part.isVisible():
+                area.ensureWidgetVisible(part, 0, 0)
+
         if area is not None:
-            QTimer.singleShot(0, area, lambda: area.ensureWidgetVisible(part, 0, 0))
+            QTimer.singleShot(0, area, scroll)
 
     # Coming and going -------------------------------------------------------------------------
 

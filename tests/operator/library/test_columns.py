@@ -288,11 +288,31 @@ def test_several_are_offered_one_after_the_other(operator):
     operator.take()
     assert operator.child("name").text() == "second"
     operator.app_driver.click(operator.child("cancel"))
-    assert operator.told() == "Imported: first\nNot imported yet: second.csv"
+    assert operator.told() == (
+        "Imported: first\nNot imported yet: second.csv. Press “Import by columns…”."
+    )
     operator.app_driver.click(operator.enable_or_explain)
     operator.take()
     assert operator.told() == "Imported: second"
     assert {entry.name for entry in operator.library.entries()} == {"first", "second"}
+
+
+def test_what_is_to_be_done_with_many_files_is_in_sight(operator):
+    """The same is said once of all tables, and no message puts its buttons out of sight."""
+    operator.app_driver.window.resize(1280, 800)
+    beyond = Waypoint(MoveMode.MOVE_J, (0.0, 20.0, -30.0, 0.0, 200.0, 0.0))
+    tables = {f"a_table_of_a_rather_long_name_{number}": DEGREES for number in range(5)}
+    others = {
+        f"good_{name}": files.to_bytes(Trajectory(f"good {name}", points=(beyond,)), ".csv")
+        for name in "abcd"
+    }
+    operator.bring(**tables, **others)
+    operator.app_driver.wait(lambda: "And 1 more" in operator.told())
+    assert operator.told().count("Not imported") == 1
+    assert "_4.csv. Press “Import by columns…”." in operator.told()
+    button = operator.enable_or_explain
+    whole = button.rect()
+    operator.app_driver.wait(lambda: button.visibleRegion().boundingRect() == whole)
 
 
 def test_degrees_that_look_like_the_makers_radians_are_offered(operator):

@@ -434,11 +434,23 @@ class LibraryExchange(HasActs, QObject):
             lines.append(text.format(names=fmt.name_list(moved)))
         notes = [note for result in results for note in result.notes]
         lines += _problem_lines(notes, "{reason}", self.tr("And {count} more. See the results."))
-        problems = [result.problem for result in results if result.problem]
-        asked = all(each.is_table for each in imported)
+        tables = [each.path.name for each in imported if each.is_table]
+        several = len(tables) > 1  # the same is to be done with all of them
+        if several:
+            lines.append(self._tell_left(tables))
+        problems = [
+            result.problem
+            for each, result in zip(imported, results, strict=True)
+            if result.problem and not (several and each.is_table)
+        ]
+        asked = len(tables) == len(imported)
         one = self.tr("Not imported yet. {reason}") if asked else self.tr("Not imported. {reason}")
         rest = self.tr("Not imported either: {count} more. See the results.")
         return "\n".join([*lines, *_problem_lines(problems, one, rest)])
+
+    def _tell_left(self, names: Sequence[str]) -> str:
+        text = self.tr("Not imported yet: {names}. Press “Import by columns…”.")
+        return text.format(names=fmt.name_list(names))
 
     def _result(self, imported: Imported) -> Result:
         tool, cell = self._controller.cartesian.tool, self._controller.cell.cell
@@ -451,8 +463,7 @@ class LibraryExchange(HasActs, QObject):
         def told() -> str:
             text = self.tr("Imported: {names}").format(names=name)
             if left:
-                names = ", ".join(path.name for path in left)
-                text += "\n" + self.tr("Not imported yet: {names}").format(names=names)
+                text += "\n" + self._tell_left([path.name for path in left])
             return text
 
         self.imported.emit([name])

@@ -166,9 +166,11 @@ class LibraryPage(Page):
     # Layout -----------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        offers = (self._exchange.report, self._exchange.by_columns.button)
+        exchange = self._exchange
+        offers = (exchange.report, exchange.by_columns.button, self._actions.undo_button)
+        self._below = self._message, *offers
         below = in_flow(self._message)
-        for button in (*offers, self._actions.undo_button):
+        for button in offers:
             below.push(button)  # at the right, also while there is no message
         self._bar.add_button(self._deleted.button)
         folders = self._folder_bar
@@ -573,6 +575,8 @@ class LibraryPage(Page):
         self._tells_end = False
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
+        for part in self._below:  # a message of many lines must not put its buttons out of sight
+            self.bring_into_sight(part)
 
     def take_focus(self) -> None:
         """Focus the list."""
