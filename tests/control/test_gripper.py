@@ -123,6 +123,9 @@ def test_something_between_the_jaws(arm2):
     arm2.gripper.move(0.0, 2.0)
     arm2.run_until(lambda: told(arm2, "gripper_grips"))
     assert told(arm2, "gripper_grips") == [{"value": 25.0, "unit": "mm", "torque": 2.0}]
+    assert arm2.controller.gripper.heading("mm") < 25.0, "what it holds with is the target as sent"
+    accepted(arm2.controller.gripper.disable())
+    assert arm2.controller.gripper.heading("mm") == 25.0
 
 
 def test_one_that_hears_nothing(arm):

@@ -203,6 +203,7 @@ class GripperControl(RequestingPart[str]):
         self._settings = settings
         self._table = table
         self._travel: _Travel | None = None
+        self._gripped: _Travel | None = None
         self._commanded_s = 0.0
         self.by_angle = False
 
@@ -248,9 +249,10 @@ class GripperControl(RequestingPart[str]):
     def heading(self, unit: str) -> float | None:
         """Return where the gripper is being sent, or else stands, calibrated.
 
-        ``None`` if it is not told in this unit.
+        One that holds something is still being sent beyond it: that is what it holds with. ``None``
+        if it is not told in this unit.
         """
-        travel, heard = self._travel, self._last_feedback()
+        travel, heard = self._travel or self._gripped, self._last_feedback()
         if travel is not None and travel.unit == unit:
             return self._shown(travel.target, unit)
         return self.shown(heard) if heard is not None and heard.unit == unit else None
@@ -468,13 +470,14 @@ class GripperControl(RequestingPart[str]):
         if not stands and (gap > _STILL or not heard.enabled):
             return
         there = heard.enabled and gap <= _THERE
-        self._travel = None
+        grips = not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM
+        self._travel, self._gripped = None, travel if grips else None
         if travel.started is None:
             return
         value, unit = self._shown(heard.travel, travel.unit), self._unit_shown(travel.unit)
         figures: dict[str, object] = {"value": value, "unit": unit}
         ending, notice = Ending.DONE, GRIPPER_THERE
-        if not there and heard.enabled and abs(heard.torque_nm or 0.0) > _GRIPS_NM:
+        if grips:
             notice = GRIPPER_GRIPS
             figures["torque"] = heard.torque_nm
         elif not there:
@@ -504,6 +507,6 @@ class GripperControl(RequestingPart[str]):
 
     def _drop_request(self) -> None:
         super()._drop_request()
-        travel, self._travel = self._travel, None
+        travel, self._travel, self._gripped = self._travel, None, None
         if travel is not None and travel.started is not None:
             travel.started.close(Ending.CUT_OFF)
