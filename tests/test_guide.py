@@ -184,9 +184,12 @@ def test_contents_search_and_links(app_driver):
     QTest.keyClicks(guide.search, "jitter")
     assert guide.shown == "bus"
     assert guide.browser.extraSelections()
+    said = guide.findChild(MessageLine, "guide_message")
+    QTest.keyClicks(guide.search, "qx")
+    assert said.text() == "No section has “jitterqx”."
     guide.browser.section_wanted.emit("keys")
     assert guide.shown == "keys"
-    assert guide.search.text() == ""
+    assert (guide.search.text(), said.text()) == ("", "")
     QTest.keyClick(guide.contents, Qt.Key.Key_Up)
     assert guide.shown == "interface"
 

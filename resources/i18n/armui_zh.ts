@@ -6354,6 +6354,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
 <context>
     <name>GuidePage</name>
     <message>
+        <source>No section has “{text}”.</source>
+        <translation>没有章节包含“{text}”。</translation>
+    </message>
+    <message>
         <source>User guide</source>
         <translation>使用指南</translation>
     </message>

@@ -133,6 +133,9 @@ class GuidePage(Page):
             item.setData(Qt.ItemDataRole.UserRole, section)
             self.contents.addItem(item)
         self.contents.blockSignals(blocked)
+        if self._sections:
+            none = self.tr("No section has “{text}”.").format(text=self.search.text())
+            self._message.show_message("" if found else none)
         if self.search.text().strip() and found:
             self.contents.setCurrentRow(0)
 
