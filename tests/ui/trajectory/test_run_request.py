@@ -62,7 +62,8 @@ class Press:
 
     def checked(self, findings: int = 0, errors: int = 0, outdated: Refusal | None = None) -> Mock:
         """Let the last check answer."""
-        preflight = Mock(findings=("found",) * (findings + errors), errors=errors)
+        found, order = ("found",) * (findings + errors), Mock(content=CONTENT)
+        preflight = Mock(findings=found, errors=errors, order=order)
         preflight.why_outdated.return_value = outdated
         self.checks.begin.call_args.args[2](preflight)
         return preflight
@@ -212,7 +213,7 @@ def test_choices_turned_while_nothing_may_run_refuse(press: Press) -> None:
 @pytest.mark.parametrize("state", ["CHECKING", "ASKING"])
 def test_a_reason_of_the_page_against_it_refuses(state: str) -> None:
     reasons: list[Refusal | None] = [None]
-    press = Press(why_not=lambda name: reasons[-1] if name == "one" else None)
+    press = Press(why_not=lambda content: reasons[-1] if content.name == "one" else None)
     press.to(state)
     reasons.append(ASKED_OTHERWISE())
     if state == "CHECKING":
