@@ -90,6 +90,7 @@ def live_driver(qapp, request, tmp_path, workers):
     yield app_driver
     app_driver.window.keep_work()  # its timer could outlive the thread, which ends with the module
     app_driver.close()
+    QApplication.clipboard().clear()  # Python's own data in it would outlive Python
 
 
 def forbidden(seen):
