@@ -30,6 +30,7 @@ from armui.ui.shell.layout_keeper import LayoutKeeper
 from armui.ui.shell.leaving import (
     close_unless_moving,
     end_motion_then,
+    gives_way,
     is_taught,
     leave_then,
     unsaved,
@@ -412,7 +413,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         operating_state = self._controller.operating_state
         stopping = operating_state.stop is StopState.REQUESTED
         under_way = operating_state.moving or stopping or operating_state.occupied is not None
-        under_way |= operating_state.uncommanded is not None
+        under_way |= gives_way(operating_state)
         at_stake = under_way or is_taught(self._controller) or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
             event.ignore()

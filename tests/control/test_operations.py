@@ -217,7 +217,7 @@ class Part:
         self.calls.append("refreshed")
         return OperatingState()
 
-    def refuse(self, refusal):
+    def refuse(self, refusal, *, sends=True):
         self.calls.append(refusal)
         return refusal
 

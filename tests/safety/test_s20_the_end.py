@@ -15,6 +15,7 @@ from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import CloseQuestion, ConfirmDialog
+from armui.ui.shell.leaving import gives_way
 from tests.accepted import accepted
 from tests.arm_rig import TIMEOUT_MS
 from tests.failing import failing, functions_of
@@ -257,11 +258,11 @@ def test_while_the_arm_sinks_closing_asks_and_the_question_goes_with_it(app_driv
     app_driver.lie((0.0, 12.0, -15.0, 0.0, 0.0, 0.0))
     app_driver.ready()
     app_driver.controller.emergency_stop()
-    app_driver.run_until(lambda: app_driver.controller.operating_state.uncommanded is not None)
+    app_driver.run_until(lambda: gives_way(app_driver.controller.operating_state))
     app_driver.window.close()
     assert app_driver.window.isVisible()
     assert "does not hold it" in app_driver.dialog(ConfirmDialog).text()
-    app_driver.run_until(lambda: app_driver.controller.operating_state.uncommanded is None, 60.0)
+    app_driver.run_until(lambda: not gives_way(app_driver.controller.operating_state), 60.0)
     app_driver.run(0.2)
     assert not app_driver.window.findChildren(ConfirmDialog)
     assert app_driver.window.close()

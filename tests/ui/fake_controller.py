@@ -435,6 +435,10 @@ class FakeGripper:
     own_figures = figures
     is_calibrated = False
 
+    def heading(self, unit: str) -> float | None:
+        heard = self._controller.state.gripper
+        return heard.value.travel if heard is not None and heard.value.unit == unit else None
+
     def shown(self, gripper: GripperState) -> float:
         return gripper.travel
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 from armui.control.devices.teaching_phase import phase_of, why_under_way
 from armui.control.motion.motion_command import Mover
 from armui.control.operating_state import StopState
+from armui.control.safety.uncommanded_motion import MotionKind
 from armui.ui.dialogs.confirm_dialog import CloseQuestion, SaveQuestion, confirm
 
 if TYPE_CHECKING:
@@ -269,8 +270,8 @@ def close_unless_moving(
         close_now: Closes the window without asking again.
     """
     operating_state = controller.operating_state
-    teaches, gives_way = is_taught(controller), operating_state.uncommanded is not None
-    if not (operating_state.moving or teaches or gives_way):
+    teaches, falls = is_taught(controller), gives_way(operating_state)
+    if not (operating_state.moving or teaches or falls):
         close_now()
         return
     if operating_state.mover is Mover.OURS:
@@ -282,7 +283,7 @@ def close_unless_moving(
         "Closing the program does not stop the arm: it goes on to its target. "
         "Press the emergency stop if it must not.",
     )
-    if gives_way:
+    if falls:
         text = QCoreApplication.translate(
             "MainWindow",
             "No motor holds it, or nothing told it to move. Closing the program does not hold it, "
@@ -308,7 +309,13 @@ def close_unless_moving(
 
 
 def _moves(operating_state: OperatingState) -> bool:
-    return operating_state.moving or operating_state.uncommanded is not None
+    return operating_state.moving or gives_way(operating_state)
+
+
+def gives_way(operating_state: OperatingState) -> bool:
+    """Return whether the arm is measured to move though nothing told it to, or nothing holds it."""
+    uncommanded = operating_state.uncommanded
+    return uncommanded is not None and uncommanded.kind in {MotionKind.SINKS, MotionKind.MOVES}
 
 
 def is_taught(controller: ArmController) -> bool:
