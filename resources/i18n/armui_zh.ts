@@ -7831,6 +7831,10 @@ at 100 %</source>
         <translation>点击：检查此轨迹，并在下方列出发现的问题。</translation>
     </message>
     <message>
+        <source>none saved</source>
+        <translation>均未保存</translation>
+    </message>
+    <message>
         <source>! other arm</source>
         <translation>! 其他机械臂</translation>
     </message>
@@ -12472,6 +12476,10 @@ The other program must have ended.</source>
     <message>
         <source>The point was not reached within {seconds} s. See what keeps the arm.</source>
         <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因。</translation>
+    </message>
+    <message>
+        <source>No point of “{name}” is saved, and what is not saved does not run. Open it and save it.</source>
+        <translation>“{name}”没有已保存的轨迹点，未保存的内容不能执行。请打开并保存。</translation>
     </message>
     <message>
         <source>“{name}” cannot be the name of a log. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>

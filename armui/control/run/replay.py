@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from armui.trajectory.samples.recording import Recording
     from armui.ways.way import Way
 
+RUN_UNSAVED = Reason(
+    "run_unsaved",
+    "No point of “{name}” is saved, and what is not saved does not run. Open it and save it.",
+)
 RUN_EMPTY = Reason("run_empty", "“{name}” has no points. Add points, or choose another trajectory.")
 REPLAY_TOO_FAST = Reason(
     "replay_too_fast",

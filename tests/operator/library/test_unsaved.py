@@ -93,3 +93,13 @@ def test_beside_send_it_says_that_unsaved_changes_do_not_run(app_driver):
     assert "without its unsaved changes" in effective.text()
     driver.choose("three")
     assert "unsaved" not in effective.text()
+
+
+def test_one_of_which_no_point_is_saved_is_not_called_empty(app_driver):
+    driver = LibraryDriver(app_driver)
+    driver.library.save(Trajectory("new"))
+    driver.library.save_draft("new", Trajectory("new", points=(POINT,)))
+    driver.window.refresh()
+    driver.choose("new *")
+    assert driver.rows()[0][:2] == ["new *", "none saved"]
+    assert "No point of “new” is saved" in app_driver.find("run_send").toolTip()

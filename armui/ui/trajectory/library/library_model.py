@@ -10,7 +10,8 @@ from typing import Any, Final
 from PySide6.QtCore import QObject, QSortFilterProxyModel, Qt, Signal
 
 from armui.arm.models import ArmModel
-from armui.control.run.replay import RUN_EMPTY
+from armui.arm.refusal import Refusal
+from armui.control.run.replay import RUN_EMPTY, RUN_UNSAVED
 from armui.trajectory.library.folders import shown_folder
 from armui.trajectory.library.store import Check, IndexEntry
 from armui.ui import format as fmt
@@ -95,6 +96,12 @@ class LibraryModel(TableModel):
     def names(self) -> frozenset[str]:
         """The names of all there are, also of what has unsaved changes alone."""
         return self._drafts.union(entry.name for entry in self._rows)
+
+    def why_empty(self, entry: IndexEntry) -> Refusal | None:
+        """Return why there is nothing of it to run, or ``None``."""
+        if entry.count:
+            return None
+        return (RUN_UNSAVED if entry.name in self._drafts else RUN_EMPTY)(name=entry.name)
 
     def is_unsaved(self, name: str) -> bool:
         """Return whether a trajectory consists only of unsaved changes."""
@@ -239,6 +246,8 @@ class LibraryModel(TableModel):
         if entry.damage is not None:
             return fmt.NOTHING
         count = fmt.count(entry.count)
+        if not entry.count and entry.name in self._drafts:
+            return self.tr("none saved")
         is_recording = entry.kind == "recording"
         return self.tr("{count} samples").format(count=count) if is_recording else count
 
@@ -272,8 +281,8 @@ class LibraryModel(TableModel):
         """Tell what the figure is, or why there is none."""
         if entry.kind != "points" or entry.damage is not None or entry.length_s is not None:
             return ""
-        if entry.count == 0:
-            return words.refusal(RUN_EMPTY(name=entry.name))
+        if (empty := self.why_empty(entry)) is not None:
+            return words.refusal(empty)
         if entry.estimated_for != self._holds_for(entry):
             return self.tr("It is being worked out.")
         return estimate_tip(known=entry.estimated_s is not None, in_list=True)

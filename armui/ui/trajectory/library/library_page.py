@@ -18,7 +18,6 @@ from armui.control.operating_state import OperatingState
 from armui.control.parameters.arm_model import arm_model
 from armui.control.run.preflight import Checks, Preflight
 from armui.control.run.progress import Progress
-from armui.control.run.replay import RUN_EMPTY
 from armui.control.run.runner import ended_early
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
@@ -371,11 +370,7 @@ class LibraryPage(Page):
         self._folder_bar.show_chosen()
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
-        nothing = None
-        if one is None:
-            nothing = NO_ROWS_CHOSEN()
-        elif one.count == 0:
-            nothing = RUN_EMPTY(name=one.name)
+        nothing = NO_ROWS_CHOSEN() if one is None else self._model.why_empty(one)
         name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
         self._run_bar.show_content(
             name,
