@@ -5053,6 +5053,14 @@
         <translation>第 {row} 行：{text}</translation>
     </message>
     <message>
+        <source>Sample {row}, at {seconds} s: {text}</source>
+        <translation>第 {row} 个采样（{seconds} s）：{text}</translation>
+    </message>
+    <message>
+        <source>{text} A recording has no points: trim it, or save it as points first.</source>
+        <translation>{text}录制没有轨迹点：请裁剪，或先存为轨迹点。</translation>
+    </message>
+    <message>
         <source>✕ Error</source>
         <translation>✕ 错误</translation>
     </message>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -18,6 +19,7 @@ from armui.trajectory.planning.findings import Severity
 from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
+from armui.ui.words.findings import finding_line
 from armui.ways.own_body import OwnBody, segment_distances
 from tests.trajectory.arms import (
     ARM,
@@ -312,6 +314,9 @@ def test_a_jump_and_a_limit_in_a_recording_are_named_once() -> None:
     assert ("sample_jump", 40) in found(report)
     assert found(report).count(("target_beyond_limit", 69)) == 1
     assert sum(code == "target_beyond_limit" for code, _ in found(report)) == 1
+    line = finding_line(next(each for each in report.findings if each.severity is Severity.ERROR))
+    assert re.match(r"✕ Error · Sample \d+, at \d+\.\d+ s: Joint ", line)
+    assert line.endswith("A recording has no points: trim it, or save it as points first.")
 
 
 def test_a_recording_that_begins_outside_is_replayed_from_its_first_sample_inside() -> None:

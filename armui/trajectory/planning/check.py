@@ -288,6 +288,8 @@ def check(request: CheckRequest) -> CheckOutcome:
     )
     profile = replay_profile(content) if isinstance(content, Recording) else None
     found = _findings(content, path, request, profile)
+    if isinstance(content, Recording):
+        found = [_timed(one, content) for one in found]
     if begin:
         path = replace(path, rows=path.rows + begin)
         found = [one if one.row is None else replace(one, row=one.row + begin) for one in found]
@@ -297,6 +299,12 @@ def check(request: CheckRequest) -> CheckOutcome:
         by_place.setdefault((one.kind, one.row, one.approach), one)
     findings = tuple(sorted(by_place.values(), key=_rank))
     return CheckOutcome(path, path.expected_s, findings, profile, changed)
+
+
+def _timed(found: Finding, recording: Recording) -> Finding:
+    if found.row is None:
+        return found
+    return replace(found, at_s=round(float(recording.samples[found.row][0]), 2))
 
 
 def _without_rest(recording: Recording, request: CheckRequest) -> tuple[int, int]:

@@ -61,6 +61,7 @@ class Finding:
             the row.
         cycle: The first cycle in which it happens.
         contact: Where the arm touches, if that is what was found.
+        at_s: When it happens in a recording; ``None`` for a trajectory of points.
     """
 
     kind: FindingKind
@@ -71,6 +72,7 @@ class Finding:
     approach: bool = False
     cycle: int = 1
     contact: Contact | None = None
+    at_s: float | None = None
 
     @property
     def code(self) -> str:

@@ -12,6 +12,10 @@ from armui.ui.words.text import Text, Texts, said
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
 
 _ROW: Final = Text("FindingsPane", "Row {row}: {text}")
+_SAMPLE: Final = Text("FindingsPane", "Sample {row}, at {seconds} s: {text}")
+_RECORDED: Final = Text(
+    "FindingsPane", "{text} A recording has no points: trim it, or save it as points first."
+)
 _KINDS: Final = {
     Severity.ERROR: Text("FindingsPane", "✕ Error"),
     Severity.WARNING: Text("FindingsPane", "! Warning"),
@@ -45,8 +49,11 @@ def finding(found: Finding) -> str:
 def finding_line(found: Finding) -> str:
     """Return a finding with its weight and its row."""
     text = finding(found)
+    if found.at_s is not None and found.severity is Severity.ERROR:
+        text = _RECORDED.text().format(text=text)
     if found.row is not None:
-        text = _ROW.text().format(row=found.row + 1, text=text)
+        where = _ROW if found.at_s is None else _SAMPLE
+        text = where.text().format(row=found.row + 1, seconds=found.at_s, text=text)
     return f"{_KINDS[found.severity].text()} · {text}"
 
 
