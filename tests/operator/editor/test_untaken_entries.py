@@ -49,3 +49,22 @@ def test_an_entry_that_cannot_be_taken_is_told_by_check_and_run_and_nothing_is_s
     press(editor, "editor_check")
     press(editor, "editor_check")
     assert "not taken" not in editor.message()
+
+
+def test_an_entry_that_was_given_up_holds_back_nothing_and_one_that_was_left_does(app_driver):
+    app_driver.ready()
+    editor = Editor(app_driver, to(OUT), to(OUT))
+    problem = editor.child("cell_problem")
+    field = typed(editor, "999", enter=True)
+    assert problem.isVisible()
+    QTest.keyClick(field, Qt.Key.Key_Escape)
+    assert not problem.isVisible()
+    press(editor, "editor_check")
+    assert "not taken" not in editor.message()
+    typed(editor, "999")
+    place = editor.cell(1, PointColumn.VALUE_1)
+    QTest.mouseClick(editor.table.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    other = editor.edit(1, PointColumn.VALUE_1)
+    QTest.keyClick(other, Qt.Key.Key_Escape)
+    press(editor, "editor_check")
+    assert "row 1 was not taken" in editor.message()

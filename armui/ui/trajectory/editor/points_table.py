@@ -55,7 +55,7 @@ class PointsTable(QTableView):
         self.points = model
         self._delegate = delegate = PointDelegate(self)
         self.setItemDelegate(delegate)
-        self._untaken: tuple[int, Refusal] | None = None
+        self._untaken: tuple[QModelIndex, Refusal] | None = None
         self._middle_px = 0
         self._note = QLabel(self.viewport())
         self._note.setObjectName("cell_problem")
@@ -68,7 +68,7 @@ class PointsTable(QTableView):
         delegate.accepted.connect(self._note.hide)
         model.refused.connect(self.show_problem)
         model.moved.connect(self.select_rows)
-        model.dataChanged.connect(self._on_data_changed)
+        model.dataChanged.connect(self._forget_problem)
         self.verticalScrollBar().valueChanged.connect(self._note.hide)
         self.horizontalScrollBar().valueChanged.connect(self._note.hide)
         self.selectionModel().currentRowChanged.connect(self._on_current)
@@ -249,15 +249,24 @@ class PointsTable(QTableView):
                 self.commitData(editor)
                 self.closeEditor(editor, PointDelegate.EndEditHint.NoHint)
         untaken, self._untaken = self._untaken, None
-        return untaken
+        return None if untaken is None else (untaken[0].row(), untaken[1])
 
-    def _on_data_changed(self) -> None:
+    def closeEditor(  # noqa: N802 - Qt's name
+        self, editor: QWidget, hint: PointDelegate.EndEditHint
+    ) -> None:
+        """Close a cell's editor; an entry that is given up holds back nothing."""
+        super().closeEditor(editor, hint)
+        given_up = hint == PointDelegate.EndEditHint.RevertModelCache
+        if given_up and self._untaken is not None and self._untaken[0] == self.currentIndex():
+            self._forget_problem()
+
+    def _forget_problem(self) -> None:
         self._note.hide()
         self._untaken = None
 
     def show_problem(self, index: QModelIndex, reason: Refusal) -> None:
         """Show at a cell why its entry is refused."""
-        self._untaken = index.row(), reason
+        self._untaken = index, reason
         self._note.setText(words.refusal(reason))
         cell = self.visualRect(index)
         self._note.setFixedWidth(min(_NOTE_PX, self.viewport().width()))
