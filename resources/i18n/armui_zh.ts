@@ -5025,6 +5025,10 @@
 <context>
     <name>FindingsPane</name>
     <message>
+        <source>Check: the points were checked.</source>
+        <translation>检查：各点已检查。</translation>
+    </message>
+    <message>
         <source>Check: nothing found.</source>
         <translation>检查：未发现问题。</translation>
     </message>

@@ -56,6 +56,12 @@ class Operator:
         return self.child(name).text()
 
     @property
+    def marks(self):
+        """The mark of the first row, and how many signs of findings are in the picture."""
+        shown = self.app_driver.program.view._state.preview
+        return self.window.model.fault(0), len(shown.path.findings)
+
+    @property
     def running(self):
         return self.app_driver.controller.player.running
 
@@ -143,15 +149,24 @@ def test_what_was_found_of_the_way_there_goes_when_the_arm_stands_elsewhere(oper
     operator.workers.work()
     findings = operator.child("findings_list")
     assert "The first point is far from where the arm is" in findings.item(0).text()
+    assert operator.marks == (False, 1)
     operator.lead_to(HERE)
     operator.app_driver.run(0.5)
     assert findings.count() == 0
+    assert operator.marks == (None, 0), "the mark of the row and the sign in 3D go with it"
     assert operator.text("findings_title") == (
-        "Check: nothing found. The arm has moved since: its way to the first point is not checked."
+        "Check: the points were checked. The arm has moved since: its way to the first point is "
+        "not checked."
     )
     operator.lead_to((60.0, *HERE[1:]))
     operator.app_driver.run(0.5)
     assert findings.count() == 1, "it stands where it was checked from"
+    assert operator.marks == (False, 1)
+    operator.click("findings_close")
+    operator.lead_to(HERE)
+    operator.app_driver.run(0.5)
+    assert operator.marks == (None, 0), "also after the list was closed"
+    assert not findings.isVisible()
 
 
 def test_the_run_of_a_check_is_no_motion_away_from_it(operator):

@@ -158,6 +158,11 @@ class Preflight:
         of_content = [one.severity for one in self.findings if not one.is_of_approach]
         return "errors" if Severity.ERROR in of_content else "warnings" if of_content else "ok"
 
+    def seen_from_elsewhere(self) -> Preflight:
+        """Return it without what was found of the way to the first point."""
+        holds = tuple(one for one in self.findings if not one.is_of_approach)
+        return replace(self, outcome=replace(self.outcome, findings=holds))
+
     def why_outdated(self, controller: ArmController, options: RunOptions) -> Refusal | None:
         """Return why it is not valid for a run with these options now, or ``None``."""
         moved = self.why_moved(controller)

@@ -138,6 +138,7 @@ class EditorPage(Page):
         insert_wanted: The key to insert the arm's position was pressed, in any window.
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
+        found_changed: It, with what holds of its findings where the arm stands now.
         play_wanted: The path that is shown is to be played.
         finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
     """
@@ -151,6 +152,7 @@ class EditorPage(Page):
     insert_wanted = Signal()
     selected_row_changed = Signal(int)
     preview_wanted = Signal(object)
+    found_changed = Signal(object)
     play_wanted = Signal()
     finding_wanted = Signal(object)
 
@@ -282,6 +284,8 @@ class EditorPage(Page):
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_jogged)
         self._findings.finding_wanted.connect(self._show_finding)
+        self._findings.found_changed.connect(self._mark_rows)
+        self._findings.found_changed.connect(self.found_changed)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self._findings.asks.connect(self._jog.give_way)
         self.document.changed.connect(self._on_points)
@@ -505,21 +509,24 @@ class EditorPage(Page):
         self._run_bar.check()
 
     def _show_check(self, checked: Preflight, accept: Callable[[], object] | None) -> None:
-        self._findings.show_check(checked, accept)
+        found = self._findings.show_check(checked, accept)
         self.bring_into_sight(self._findings)
+        self._mark_rows(found)
+        self._say("")
+        if self.document.saved and checked.whole:
+            self._note_check(checked)
+        self.preview_wanted.emit(found)
+        if self._plays:
+            self.play_wanted.emit()
+        self._plays = False
+
+    def _mark_rows(self, found: Preflight) -> None:
         faults: dict[int, bool] = {}
-        for finding in checked.findings:
+        for finding in found.findings:
             if finding.row is not None and not finding.approach:
                 error = finding.severity is Severity.ERROR
                 faults[finding.row] = faults.get(finding.row, False) or error
         self.model.show_faults(faults)
-        self._say("")
-        if self.document.saved and checked.whole:
-            self._note_check(checked)
-        self.preview_wanted.emit(checked)
-        if self._plays:
-            self.play_wanted.emit()
-        self._plays = False
 
     def _show_finding(self, finding: Finding) -> None:
         """Select the row of a finding, and have the ghost stand where it is."""

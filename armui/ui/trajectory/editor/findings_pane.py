@@ -45,11 +45,14 @@ class FindingsPane(HasActs, Translated, QWidget):
 
     Signals:
         finding_wanted: The :class:`Finding` that was clicked.
+        found_changed: The :class:`Preflight` with what holds of its findings where the arm stands
+            now; also after the pane was closed.
         dismissed: It was closed without an answer.
         asks: Whether it asks for an answer.
     """
 
     finding_wanted = Signal(object)
+    found_changed = Signal(object)
     dismissed = Signal()
     asks = Signal(bool)
     accept_button = Act("Run now", named="accept_warnings", primary=True)
@@ -76,17 +79,23 @@ class FindingsPane(HasActs, Translated, QWidget):
         self.retranslate_ui()
         controller.operating_state_changed.connect(self._on_operating_state)
 
-    def show_check(self, checked: Preflight, accept: Callable[[], object] | None = None) -> None:
+    def show_check(
+        self, checked: Preflight, accept: Callable[[], object] | None = None
+    ) -> Preflight:
         """Show the findings of a check.
 
         Args:
             checked: The check.
             accept: Called when the operator agrees; not possible with errors.
+
+        Returns:
+            The check with what holds of its findings where the arm stands now.
         """
         self._checked, self._runs = checked, False
         self._accept = accept if not checked.errors else None
         self._fill()
         self.show()
+        return self._found(checked)
 
     def note_run(self, *_: object) -> None:
         """Note that the run of this check has begun."""
@@ -98,9 +107,14 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._fill()
 
     def clear(self) -> None:
-        """Close the pane, and drop the question."""
-        self._checked = self._accept = None
+        """Close the pane, and forget the check."""
+        self._checked = None
         self._list.clear()
+        self._put_away()
+
+    def _put_away(self) -> None:
+        """Close the pane, and drop the question; the marks of the findings stay elsewhere."""
+        self._accept = None
         self.hide()
         self.asks.emit(False)
 
@@ -108,9 +122,13 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._runs = self._runs and self._runner.running
         if self._checked is not None and self._moved != self._has_moved(self._checked):
             self._fill()
+            self.found_changed.emit(self._found(self._checked))
 
     def _has_moved(self, checked: Preflight) -> bool:
         return not self._runs and checked.why_moved(self._controller) is not None
+
+    def _found(self, checked: Preflight) -> Preflight:
+        return checked.seen_from_elsewhere() if self._moved else checked
 
     def _fill(self) -> None:
         self.show_acts()
@@ -119,12 +137,14 @@ class FindingsPane(HasActs, Translated, QWidget):
             return
         self._list.clear()
         self._moved = self._has_moved(checked)
-        findings = [one for one in checked.findings if not (self._moved and one.is_of_approach)]
+        findings = self._found(checked).findings
         errors = sum(one.severity is Severity.ERROR for one in findings)
         if findings:
             title = self.tr("The check found errors: {errors}, warnings: {warnings}").format(
                 errors=errors, warnings=len(findings) - errors
             )
+        elif checked.findings:
+            title = self.tr("Check: the points were checked.")
         else:
             title = self.tr("Check: nothing found.")
         if self._moved:
@@ -193,14 +213,14 @@ class FindingsPane(HasActs, Translated, QWidget):
     @accept_button.pressed
     def _on_accepted(self) -> None:
         accept = self._accept
-        self.clear()
+        self._put_away()
         if accept is not None:
             accept()
 
     @_close_button.pressed
     def dismiss(self) -> None:
         """Close the pane without an answer."""
-        self.clear()
+        self._put_away()
         self.dismissed.emit()
 
     def retranslate_ui(self) -> None:

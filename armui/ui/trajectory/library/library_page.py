@@ -82,6 +82,7 @@ class LibraryPage(Page):
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: a preview must
             connect to its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D; ``None``: no longer.
+        found_changed: It, with what holds of its findings where the arm stands now.
         finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
         run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
@@ -100,6 +101,7 @@ class LibraryPage(Page):
     page_made = Signal(object)
     editor_opened = Signal(object)
     preview_wanted = Signal(object)
+    found_changed = Signal(object)
     finding_wanted = Signal(object)
     run_asks = Signal(str)
 
@@ -227,7 +229,9 @@ class LibraryPage(Page):
         self._run_bar.listen(self)
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
+        self._run_bar.started.connect(self._findings.note_run)
         self._findings.finding_wanted.connect(self.finding_wanted)
+        self._findings.found_changed.connect(self.found_changed)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self._choices.asking.connect(self.run_asks)
         self._run_bar.refused.connect(
@@ -497,10 +501,10 @@ class LibraryPage(Page):
         self._model.note_found(self._found_of if checked.findings else "")
         self._mark(checked)
         self._say("")
-        self._findings.show_check(checked, accept)
+        found = self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.bring_into_sight(self._findings)
-        self.preview_wanted.emit(checked)
+        self.preview_wanted.emit(found)
 
     def _drop_findings(self) -> None:
         """Forget what was found, and take its path out of the picture."""

@@ -164,6 +164,13 @@ class PathPreview(QObject):
             self._scrubbed = False
         self.row_shown.emit()
 
+    def show_findings(self, findings: tuple[FindingMark, ...]) -> None:
+        """Show other findings on the same path; the ghost stays at none that is gone."""
+        path, ghost = self._shown.path, self._shown.finding
+        if self._path is not None and path is not None:
+            ghost = ghost if ghost in findings else None
+            self._set(replace(self._shown, path=replace(path, findings=findings), finding=ghost))
+
     def show_finding(self, finding: FindingMark) -> None:
         """Have the ghost stand where a finding is, until another place is chosen."""
         if self._path is not None and finding.joints_deg is not None:

@@ -306,6 +306,7 @@ class PreviewLink(QObject):
         self._shown: Preflight | None = None
         self._marks: tuple[object, PathPicture | None] = (None, None)
         library.preview_wanted.connect(self._on_preview)
+        library.found_changed.connect(partial(self._renew, library))
         library.finding_wanted.connect(self._on_finding)
         library.page_made.connect(self._watch)
         library.editor_opened.connect(self._follow)
@@ -385,6 +386,7 @@ class PreviewLink(QObject):
 
     def _follow(self, editor: EditorPage) -> None:
         editor.preview_wanted.connect(partial(self._take, editor))
+        editor.found_changed.connect(partial(self._renew, editor))
         editor.finding_wanted.connect(self._on_finding)
         editor.play_wanted.connect(self._preview.play)
         editor.selected_row_changed.connect(partial(self._on_row, editor))
@@ -407,6 +409,16 @@ class PreviewLink(QObject):
             self._checked[page] = checked
         if page.isVisible():
             self._turn_to(page)
+
+    def _renew(self, page: Page, checked: Preflight) -> None:
+        """Show what holds of the findings of a path that is shown; it stays as it is seen."""
+        before = self._checked.get(page)
+        if before is None or before.path is not checked.path:
+            return
+        self._checked[page] = checked
+        if self._shown is before:
+            self._shown = checked
+            self._preview.show_findings(finding_marks(checked, self._controller.cartesian.tool))
 
     def _show(self, checked: Preflight) -> None:
         self._shown = checked
