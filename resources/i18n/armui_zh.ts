@@ -12491,7 +12491,11 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>No point of “{name}” is saved, and what is not saved does not run. Open it and save it.</source>
-        <translation>“{name}”没有已保存的轨迹点，未保存的内容不能执行。请打开并保存。</translation>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arm has answered, but the fault is still there.</source>
+        <translation>机械臂已应答，但故障仍在。</translation>
     </message>
     <message>
         <source>“{name}” cannot be the name of a log. Leave out / \ : * ? &quot; &lt; &gt; | and a dot at the beginning or the end; 120 characters at most.</source>

@@ -9,6 +9,7 @@ import pytest
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import BUSY
 from armui.control.safety.recovery import STEP_GONE
+from armui.control.safety.recovery_rules import STEP_ANSWERED, STEP_IN_VAIN
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import ControlMode, TeachingState
 from armui.protocol.frame import Frame
@@ -127,20 +128,29 @@ def test_a_collision_is_cleared_without_dropping_the_arm(any_rig):
     assert rig.firmware.enabled == (True,) * 6
 
 
-def test_a_fault_whose_cause_stays_is_said_to_stay_and_leads_to_a_reset(any_rig):
+def test_only_an_arm_that_answers_no_clearing_is_to_be_reset(any_rig):
+    """A reset drops the arm and takes no cause away."""
     rig = any_rig
     rig.ready()
     rig.node.faults.start(fault("collision", 2))
     until(rig, StepKind.COLLISION)
-    for action in (Action.CLEAR_ERRORS, Action.CLEAR_ERRORS, Action.RESET):
+
+    def outcome_of_clearing():
         step = step_of(rig)
-        assert (step.kind, step.action) == (StepKind.COLLISION, action)
-        if action is Action.CLEAR_ERRORS:
-            assert rig.controller.recovery.act(step) is None
-            assert step_of(rig).waiting
-            rig.run_until(lambda: not step_of(rig).waiting)
-    assert step.failed is not None
+        assert (step.kind, step.action) == (StepKind.COLLISION, Action.CLEAR_ERRORS)
+        assert rig.controller.recovery.act(step) is None
+        assert step_of(rig).waiting
+        rig.run_until(lambda: not step_of(rig).waiting)
+        return step_of(rig).failed
+
+    assert [outcome_of_clearing() for _ in range(3)] == [STEP_ANSWERED()] * 3
+    assert rig.codes()[-1] == "clear_error_answered"
+    hears = rig.firmware.on_frame
+    rig.firmware.on_frame = lambda frame: [] if frame.arbitration_id == 0x475 else hears(frame)
+    assert [outcome_of_clearing() for _ in range(2)] == [STEP_IN_VAIN()] * 2
     assert rig.codes()[-1] == "step_in_vain"
+    assert step_of(rig).action is Action.RESET
+    del rig.firmware.on_frame
 
 
 def test_a_step_that_has_passed_is_not_taken(rig):

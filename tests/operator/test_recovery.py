@@ -99,7 +99,7 @@ def test_a_collision_is_cleared_once_the_obstacle_is_gone(ready):
     assert ("joint 2" in line(ready)) is (generation == 2)
     press(ready, "Clear error")
     assert ready.read("recovery_button") == "Waiting…"
-    reads(ready, "did not react")
+    reads(ready, "The arm has answered, but the fault is still there.")
     ready.node.faults.end(push)
     ready.run(0.1)
     ready.heard()

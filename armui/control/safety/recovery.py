@@ -119,10 +119,17 @@ class _PendingAction:
     Attributes:
         step: What it is to settle.
         idle_since_s: Since when nothing of it is on its way any more.
+        cleared: The clearing of errors that it last began.
     """
 
     step: Step
     idle_since_s: float | None = None
+    cleared: Started | Refusal | None = None
+
+    @property
+    def answered(self) -> bool:
+        """True if the arm has answered the clearing of errors."""
+        return isinstance(self.cleared, Started) and self.cleared.ending is Ending.ANSWERED
 
 
 class Recovery(ControllerPart):
@@ -262,9 +269,9 @@ class Recovery(ControllerPart):
         outcome, started = self._pending.advance(), self._pending.started
         if outcome is RequestOutcome.DONE and started is not None:
             started.close(Ending.DONE, self._outcome(self._shown))
-        if self._to_clear and not self._joint_errors.busy:
+        if self._attempt is not None and self._to_clear and not self._joint_errors.busy:
             with self._acting():
-                self._joint_errors.clear(self._to_clear.pop(0))
+                self._attempt.cleared = self._joint_errors.clear(self._to_clear.pop(0))
         step = self._find_step()
         # A step of another kind is another problem: attempts in vain count from 0 again. WORKING
         # only stands in between.
@@ -311,8 +318,11 @@ class Recovery(ControllerPart):
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
             started = self._pending.release()
             self._give_up()
-            self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
-            self._context.close(started, Ending.FAILED, STEP_IN_VAIN_NOTICE)
+            if attempt.answered:  # a stronger means would take no cause away either
+                self._in_vain[step.kind] = 0
+            else:
+                self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
+                self._context.close(started, Ending.FAILED, STEP_IN_VAIN_NOTICE)
             return self._find_step()
         return replace(step, waiting=True)
 

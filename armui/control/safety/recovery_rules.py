@@ -69,6 +69,7 @@ from armui.control.safety.recovery_steps import Action, Step, StepKind
 from armui.protocol.codes import ArmStatusCode
 
 STEP_IN_VAIN = Reason("step_in_vain", "The arm did not react.")
+STEP_ANSWERED = Reason("step_answered", "The arm has answered, but the fault is still there.")
 
 
 _IN_VAIN_TWICE: Final = 2
@@ -82,7 +83,7 @@ class _Rule:
     action: Action | None
     applies: Applies
     escalation: Action | None = None
-    """The action offered once the usual one has come to nothing twice."""
+    """The action offered once the arm did not react to the usual one twice."""
     alternative: Action | None = None
     """The action of a second button."""
 
@@ -99,7 +100,8 @@ def next_step(
         state: The arm as last heard.
         operating_state: The operating state, assessed from the same state.
         now_s: Monotonic time.
-        in_vain: The number of times that the action against the present problem came to nothing.
+        in_vain: The number of times that the arm did not react to the action against the present
+            problem; 0 if it has answered, though the problem stays.
     """
     heard = state.status
     view = RecoveryView(
@@ -117,8 +119,9 @@ def next_step(
         params = rule.applies(view)
         if params is not None:
             break
-    failures = (in_vain or {}).get(rule.kind, 0)
-    stronger = failures >= _IN_VAIN_TWICE and rule.escalation is not None
+    failures = (in_vain or {}).get(rule.kind)
+    stronger = (failures or 0) >= _IN_VAIN_TWICE and rule.escalation is not None
+    failed = STEP_IN_VAIN() if failures else STEP_ANSWERED()
     joints = params.get("numbers", ()) if params else ()
     motion = operating_state.uncommanded
     warns = motion is not None and motion.is_danger and rule.level is not Level.FAULT
@@ -128,7 +131,7 @@ def next_step(
         {name: value for name, value in (params or {}).items() if name != "numbers"},
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
-        failed=STEP_IN_VAIN() if failures else None,
+        failed=None if failures is None else failed,
         alternative=rule.alternative,
         motion=motion,
         locked=operating_state.cannot_move is not None,
