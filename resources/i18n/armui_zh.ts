@@ -12491,7 +12491,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>No point of “{name}” is saved, and what is not saved does not run. Open it and save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>“{name}”没有已保存的轨迹点，未保存的内容不能执行。请打开并保存。</translation>
     </message>
     <message>
         <source>The arm has answered, but the fault is still there.</source>
