@@ -145,6 +145,7 @@ def test_only_an_arm_that_answers_no_clearing_is_to_be_reset(any_rig):
 
     assert [outcome_of_clearing() for _ in range(3)] == [STEP_ANSWERED()] * 3
     assert rig.codes()[-1] == "clear_error_answered"
+    assert step_of(rig).alternative is Action.RESET, "no dead end, where the arm keeps its fault"
     hears = rig.firmware.on_frame
     rig.firmware.on_frame = lambda frame: [] if frame.arbitration_id == 0x475 else hears(frame)
     assert [outcome_of_clearing() for _ in range(2)] == [STEP_IN_VAIN()] * 2

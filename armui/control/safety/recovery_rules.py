@@ -132,7 +132,8 @@ def next_step(
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
         failed=None if failures is None else failed,
-        alternative=rule.alternative,
+        # an arm that answers and keeps its fault has another way, but none that is advised
+        alternative=rule.escalation if failures == 0 else rule.alternative,
         motion=motion,
         locked=operating_state.cannot_move is not None,
     )

@@ -1,1 +1,1 @@
-"""The window 会话记录: recording of the session, and the recordings."""
+"""The page 日志: the log in the making, and those that were kept."""
