@@ -252,7 +252,9 @@ class GripperControl(RequestingPart[str]):
         One that holds something is still being sent beyond it: that is what it holds with. ``None``
         if it is not told in this unit.
         """
-        travel, heard = self._travel or self._gripped, self._last_feedback()
+        travel, heard = self._travel, self._last_feedback()
+        if travel is None and heard is not None and heard.enabled:
+            travel = self._gripped
         if travel is not None and travel.unit == unit:
             return self._shown(travel.target, unit)
         return self.shown(heard) if heard is not None and heard.unit == unit else None
