@@ -1,19 +1,33 @@
 """The room of a panel: what scrolls, and what is kept for a message."""
 
-from PySide6.QtWidgets import QApplication, QScrollArea
+import pytest
+from PySide6.QtWidgets import QApplication, QPushButton, QScrollArea
 
+from armui.arm.refusal import Refusal
+from armui.control.safety.interlocks import STOPPED
+from armui.ui.panels.light_panel import LightPanel
 from armui.ui.panels.teaching_panel import TeachingPanel
 from armui.ui.widgets.message_line import MessageLine
 from tests.ui.arm_states import operating_state
 
+KINDS = {
+    "the card is the last": lambda controller: TeachingPanel(controller, lambda: None),
+    "buttons below the card": LightPanel,
+}
 
-def test_no_room_is_kept_for_a_message_below_a_card_that_scrolls(qtbot, controller):
-    panel = TeachingPanel(controller, lambda: None)
+
+@pytest.fixture(params=KINDS.values(), ids=KINDS)
+def panel(request, qtbot, controller):
+    panel = request.param(controller)
     qtbot.addWidget(panel)
     panel.resize(440, 700)
     panel.show()
     controller.be(operating_state())
-    message = panel.findChild(MessageLine, "teaching_message")
+    return panel
+
+
+def test_no_room_is_kept_for_a_message_where_the_card_scrolls(panel):
+    message = panel.findChild(MessageLine)
     assert message.text() == ""
     bar = panel.findChild(QScrollArea).verticalScrollBar()
     kept = []
@@ -25,3 +39,19 @@ def test_no_room_is_kept_for_a_message_below_a_card_that_scrolls(qtbot, controll
     assert kept == sorted(kept, reverse=True)  # it goes once, and does not come and go
     assert kept[0]
     assert not kept[-1]
+
+
+@pytest.mark.parametrize("height", [700, 340])
+def test_no_button_below_the_card_moves_when_something_is_said(panel, height):
+    panel.resize(440, height)
+    QApplication.sendPostedEvents()
+    area = panel.findChild(QScrollArea)
+    buttons = [each for each in panel.findChildren(QPushButton) if not area.isAncestorOf(each)]
+    before = [each.geometry() for each in buttons]
+    panel._say(Refusal(STOPPED))
+    QApplication.sendPostedEvents()
+    message = panel.findChild(MessageLine)
+    assert message.isVisible()
+    assert [each.geometry() for each in buttons] == before
+    assert message.geometry().bottom() <= panel.height()
+    assert not any(each.geometry().intersects(message.geometry()) for each in buttons)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtGui import QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
+from PySide6.QtWidgets import QBoxLayout, QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -67,7 +67,7 @@ class Panel(HasActs, Translated, QWidget):
         self._refusal: Refusal | None = None
         self._event: Event | None = None
         self._told_here: tuple[str, ...] = ()
-        self._last_area: QScrollArea | None = None
+        self._area: QScrollArea | None = None
         self._gap_px = _GAP_PX
         self._title = text_label(rank="title")
         self._message = named(message_name, MessageLine(steady=True))
@@ -159,23 +159,27 @@ class Panel(HasActs, Translated, QWidget):
                 layout.addLayout(part)
             else:
                 layout.addWidget(part, 1 if isinstance(part, QScrollArea) else 0)
-        self._last_area = parts[-1] if isinstance(parts[-1], QScrollArea) else None
-        scrolls = any(isinstance(part, QScrollArea) for part in parts)
-        layout.addStretch(0 if scrolls else 1)
+        self._area = next((part for part in parts if isinstance(part, QScrollArea)), None)
+        layout.addStretch(0 if self._area else 1)
 
     def _share_room(self) -> None:
-        """Keep no room for a message below a card that would scroll for it.
+        """Keep no room for a message where the card would scroll for it.
 
-        Only where nothing stands between the two: buttons must not move when something is said.
+        There it comes right below the card, of which it takes the lower end: the buttons must not
+        move when something is said.
         """
-        area, message = self._last_area, self._message
+        area, message, layout = self._area, self._message, self.layout()
         card = None if area is None else area.widget()
-        if area is None or card is None:
+        if area is None or card is None or not isinstance(layout, QBoxLayout):
             return
-        kept_px = message.sizeHint().height() + self._gap_px
-        room_px = area.height() - (kept_px if message.isHidden() else 0)
-        wanted_px = _least_height(card, area.viewport().width())
-        message.setVisible(bool(message.text()) or wanted_px <= room_px)
+        shown_px = 0 if message.isHidden() else message.height() + self._gap_px
+        room_px = area.height() + shown_px - message.kept_px() - self._gap_px
+        short = _least_height(card, area.viewport().width()) > room_px
+        place = layout.indexOf(area) + 1 if short else layout.count() - 2
+        if layout.indexOf(message) != place:
+            layout.removeWidget(message)
+            layout.insertWidget(place, message)
+        message.setVisible(bool(message.text()) or not short)
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:
         """Show the controller's answer and return whether it was a yes."""

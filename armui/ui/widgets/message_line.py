@@ -106,12 +106,14 @@ class MessageLine(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size with room for its lines, or more if the message needs them."""
-        height = max(map(self._text_px, (self.text(), self._room))) + 2 * _TOP_PX
-        if self._more_room:
-            texts = (self.text(), self._more_room)
-            usual = self._text_px(self._room) + 2 * _TOP_PX
-            height = max(usual, max(map(self._text_px, texts)) + 2 * _LEAST_TOP_PX)
+        top_px = _LEAST_TOP_PX if self._more_room else _TOP_PX
+        height = max(self.kept_px(), self._text_px(self.text()) + 2 * top_px)
         return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height)
+
+    def kept_px(self) -> int:
+        """Return the height that is kept for any text, in pixels."""
+        usual = self._text_px(self._room) + 2 * _TOP_PX
+        return max(usual, self._text_px(self._more_room) + 2 * _LEAST_TOP_PX)
 
     def _text_px(self, text: str) -> int:
         """Return how high a text is in the present width."""
