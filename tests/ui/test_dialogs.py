@@ -346,3 +346,17 @@ def test_a_chosen_file_is_handed_over(
     qtbot.keyClick(chooser, Qt.Key.Key_Return)
 
     assert chosen == [file]
+
+
+def test_the_next_file_is_looked_for_where_the_last_was(
+    qtbot: QtBot, controller: FakeController, tmp_path: Path
+) -> None:
+    def chosen_in(folder: Path) -> str:
+        chooser = FileDialog(controller.as_real, title="A file", name_filter="Text (*.txt)")
+        qtbot.addWidget(chooser)
+        before = chooser.directory().absolutePath()
+        chooser.setDirectory(str(folder))
+        return before
+
+    chosen_in(tmp_path)
+    assert chosen_in(Path.home()) == str(tmp_path)

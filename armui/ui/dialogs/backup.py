@@ -444,7 +444,7 @@ class BackupDialog(ArmDialog):
             self._controller,
             title=self.tr("Save the parameters of the arm"),
             name_filter=self.tr("Parameter backup") + f" (*{SUFFIX})",
-            start=self._path or Path.home(),
+            start=self._path,
             new_file=f"{backup.model}{firmware}-{backup.saved_at:%Y%m%d-%H%M%S}{SUFFIX}",
             on_chosen=lambda path: self._write(path, backup),
         )
@@ -467,7 +467,7 @@ class BackupDialog(ArmDialog):
             self._controller,
             title=self.tr("Open a parameter backup"),
             name_filter=self.tr("Parameter backup") + f" (*{SUFFIX})",
-            start=self._path or Path.home(),
+            start=self._path,
             on_chosen=self.open_file,
         )
 

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final, cast
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject, Qt, Signal
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QDir, QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
@@ -83,7 +83,7 @@ class FileExport(QObject):
             title=title,
             name_filter=f"{kind.upper()} (*.{kind})",
             on_chosen=on_chosen,
-            new_file=str(Path.home() / f"{name}-{now:%Y%m%d-%H%M%S}.{kind}"),
+            new_file=f"{name}-{now:%Y%m%d-%H%M%S}.{kind}",
         )
 
     def _job(self, path: Path) -> Job[Any]:
@@ -107,7 +107,7 @@ class FileDialog(QFileDialog):
         parent: The window it belongs to.
         title: The purpose of the file.
         name_filter: The filter in Qt's notation: ``Robot description (*.urdf)``.
-        start: The folder to begin in, or a file in it.
+        start: The folder to begin in, or a file in it; by default that of the last file.
         new_file: The proposed name of a file to be written; its suffix is added if the operator
             types none. ``None`` to choose an existing file.
     """
@@ -131,6 +131,8 @@ class FileDialog(QFileDialog):
             self.setDefaultSuffix(Path(new_file).suffix)
         self.setNameFilter(name_filter)
         self.setModal(False)
+        if start is None and self.directory() == QDir.current():
+            start = Path.home()  # no folder was shown yet: Qt begins in the last one
         if start is not None:
             self.setDirectory(str(start if start.is_dir() else start.parent))
         if new_file is not None:

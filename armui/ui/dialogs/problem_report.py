@@ -170,7 +170,7 @@ class ProblemReportDialog(ArmDialog):
             title=self.tr("Save the report"),
             name_filter="ZIP (*.zip)",
             on_chosen=self._on_chosen,
-            new_file=str(Path.home() / f"armui-report-{now:%Y%m%d-%H%M%S}.zip"),
+            new_file=f"armui-report-{now:%Y%m%d-%H%M%S}.zip",
         )
         # an existing file is never replaced: saving reports it, so Qt need not ask
         chooser.setOption(QFileDialog.Option.DontConfirmOverwrite)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -311,7 +310,6 @@ class ReferenceDialog(ArmDialog):
                 title=self.tr("Photo of the arm in its reference pose"),
                 name_filter=self.tr("Pictures ({kinds})").format(kinds=_PHOTOS),
                 on_chosen=lambda path: self._controller.reference.keep_photo(str(path)),
-                start=Path.home(),
             )
 
     # -- appearance ---------------------------------------------------------------------------

@@ -322,7 +322,7 @@ class SettingsDialog(ArmDialog):
             self._controller,
             title=self.tr("Choose a robot description"),
             name_filter=self.tr("Robot description") + " (*.urdf *.xacro)",
-            start=Path(now) if now else Path.home(),
+            start=Path(now) if now else None,
             on_chosen=self._on_urdf_chosen,
         )
 

@@ -365,7 +365,7 @@ class ExportForm(Translated, QWidget):
             self._controller,
             title=self.tr("Choose the log"),
             name_filter=self.tr("CAN log") + f" ({_LOGS})",
-            start=self._log or Path.home(),
+            start=self._log,
             on_chosen=self.show_log,
         )
 

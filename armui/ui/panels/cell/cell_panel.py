@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFrame, QLabel, QLineEdit, QMenu, QWidget
@@ -344,7 +343,7 @@ class CellPanel(Panel):
             title=self.tr("Export the cell"),
             name_filter=f"{self.tr('Cell')} (*{SUFFIX})",
             on_chosen=lambda path: store.write(path, cell, self._accepted),
-            new_file=str(Path.home() / f"{cell.name}{SUFFIX}"),
+            new_file=f"{cell.name}{SUFFIX}",
         )
 
     def _on_import(self) -> None:
@@ -357,7 +356,6 @@ class CellPanel(Panel):
             title=self.tr("Import a cell"),
             name_filter=f"{self.tr('Cell')} (*{SUFFIX})",
             on_chosen=lambda path: store.read(path, self._on_read),
-            start=Path.home(),
         )
 
     def _on_read(self, cell: Cell | Refusal) -> None:

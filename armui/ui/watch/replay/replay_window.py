@@ -225,15 +225,14 @@ class ReplayWindow(ArmDialog):
     def choose(self) -> None:
         """Let the operator choose a log."""
         endings = " ".join(f"*{each} *{each}.gz" for each in SUFFIXES)
-        folder = Path.home() if self._path is None else self._path.parent
-        chooser = choose_file(
+        choose_file(
             self,
             self._controller,
             title=self.tr("Open a log"),
             name_filter=self.tr("CAN logs") + f" ({endings})",
             on_chosen=self.open_log,
+            start=self._path,
         )
-        chooser.setDirectory(str(folder))
 
     def open_log(self, path: Path) -> None:
         """Open a log in place of the present one."""
