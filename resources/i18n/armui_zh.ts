@@ -404,6 +404,10 @@
         <source>Operator&apos;s view: hold Unlock to change this.</source>
         <translation>操作员视图：按住“解锁”后才能更改。</translation>
     </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
 </context>
 <context>
     <name>AdapterLine</name>

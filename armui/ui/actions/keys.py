@@ -81,6 +81,7 @@ _ONE_PRESS: Final = (
     ("everywhere.episode", "F6", Text("Shortcut", "Begin or end an episode of the log")),
     ("everywhere.discard_episode", "Shift+F6", Text("Shortcut", "Discard the last episode")),
     ("everywhere.shortcuts", "?", Text("Shortcut", "This list")),
+    ("everywhere.full_screen", "F11", Text("Action", "Full screen")),
     ("window.settings", "Ctrl+,", Text("MenuFoot", "Settings")),
     ("window.reset_view", "Ctrl+0", Text("MenuFoot", "Reset view")),
     ("view.front", "Ctrl+1", Text("ViewBar", "Front view")),

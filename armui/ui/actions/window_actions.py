@@ -77,6 +77,8 @@ _COMMANDS: Final = (
             synonyms=also("manual help documentation font text size 帮助 手册 说明书 字体 字号")),
     Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
             synonyms=also("keys hotkeys 热键")),
+    Command("everywhere.full_screen", Text("Action", "Full screen"),
+            synonyms=also("fullscreen maximize kiosk 最大化")),
     Command("window.close", Text("Action", "Close the program"),
             synonyms=also("quit exit shutdown 退出 关机")),
 )
@@ -164,6 +166,7 @@ class WindowActions(QObject):
             "palette": self.open_palette,
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
+            "full_screen": self._switch_full_screen,
             "faster": self._go_faster,
             "episode": controller.episodes.mark,
             "discard_episode": controller.episodes.discard,
@@ -208,6 +211,7 @@ class WindowActions(QObject):
             _OPERATOR_VIEW: lock,
             "everywhere.guide": self.open_guide,
             "everywhere.shortcuts": self.open_shortcuts,
+            "everywhere.full_screen": self._switch_full_screen,
             "window.close": self._window.close,
         }
         actions = {name: new_action(self, do) for name, do in does.items()}
@@ -305,6 +309,9 @@ class WindowActions(QObject):
 
     def _switch_language(self) -> None:
         self._store.change(language="en" if self._store.settings.language == "zh" else "zh")
+
+    def _switch_full_screen(self) -> None:
+        self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     def _switch_theme(self) -> None:
         self._store.change(theme="light" if self._store.settings.theme == "dark" else "dark")

@@ -1,6 +1,8 @@
 """Every window opens wholly on the screen that it opens on."""
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog
 
 from armui.ui.actions.window_actions import WindowActions
@@ -30,3 +32,11 @@ def test_every_window(pages, name):
     # and its screen is smaller than any that is sold
     assert stands.bottom() <= max(reach.bottom(), stands.top() + least.height())
     assert stands.right() <= max(reach.right(), stands.left() + least.width())
+
+
+def test_f11_takes_the_whole_screen_and_gives_it_back(pages):
+    window = pages.driver.window
+    QTest.keyClick(window, Qt.Key.Key_F11)
+    assert window.isFullScreen()
+    QTest.keyClick(window, Qt.Key.Key_F11)
+    assert not window.isFullScreen()
