@@ -34,6 +34,8 @@ def test_a_fault_stands_in_its_row_with_beginning_and_end(events):
     assert events.cell(row, EventColumn.END) == clock(entry, entry.ended_s)
     assert events.cell(row, EventColumn.KIND) == "Fault"
     assert events.cell(row, EventColumn.WHO) == "Arm"
+    hint = events.model.index(row, EventColumn.TEXT).data(Qt.ItemDataRole.ToolTipRole)
+    assert hint == events.cell(row, EventColumn.TEXT)  # in a narrow table the text is cut
 
 
 def test_a_fault_that_begins_while_one_looks_and_ends(events):

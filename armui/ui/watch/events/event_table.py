@@ -301,7 +301,7 @@ class EventModel(TableModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the text of a cell, or its looks."""
         entry, column = self._rows[index.row()], self._table[index.column()]
-        if role == Qt.ItemDataRole.DisplayRole:
+        if role in {Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole}:
             return column.read(entry)
         if role == Qt.ItemDataRole.ForegroundRole:
             return self._ink(entry, column)
