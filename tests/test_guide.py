@@ -68,6 +68,16 @@ def test_every_window_and_page_has_a_section():
     assert classes - asking - holding == windows_named()
 
 
+def test_the_help_of_the_picture_names_mouse_keys_and_figures():
+    words = {
+        "zh": ("左键拖动", "中键拖动", "滚轮", "双击连杆", "Home", "RX RY RZ", "| — |"),
+        "en": ("Left drag", "Middle drag", "Wheel", "Double click", "Home", "RX RY RZ", "| — |"),
+    }
+    for language, each in words.items():
+        text = next(one.text for one in read_guide(language) if one.anchor == "view")
+        assert [word for word in each if word not in text] == []
+
+
 def test_links_lead_somewhere(sections):
     anchors = {section.anchor for section in sections}
     for section in sections:

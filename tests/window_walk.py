@@ -168,7 +168,7 @@ class Walk:
         self._click(f"menu_{self._random.choice(PANELS)}")
 
     def _page(self) -> None:
-        names = ("library", "plots", "events", "bus", "sessions", "joint_status", "help")
+        names = ("library", "plots", "events", "bus", "sessions", "joint_status")
         self._click(f"{self._random.choice(names)}_button")
 
     def _editor(self) -> None:

@@ -269,7 +269,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._library_button.clicked.connect(self._show_where)
         self._work_area.turned.connect(self._show_where)
         self._unlock.held.connect(lambda: self._lock(wanted=False))
-        self._foot.help.clicked.connect(self._opening("help"))
+        self._foot.help.clicked.connect(lambda: self.pages.open_guide("view"))
         self._foot.reset_view.clicked.connect(self._view.reset_view)
         self._foot.settings.clicked.connect(self._opening("settings"))
         self._picture.follow_panels(self._panels.currentWidget)

@@ -6564,180 +6564,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
 </context>
 <context>
-    <name>Help</name>
-    <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
-        <source>Left drag</source>
-        <translation>左键拖动</translation>
-    </message>
-    <message>
-        <source>Turn the view around the arm</source>
-        <translation>绕机械臂旋转视角</translation>
-    </message>
-    <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>中键拖动，Shift + 左键拖动</translation>
-    </message>
-    <message>
-        <source>Move the view</source>
-        <translation>平移视角</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>滚轮</translation>
-    </message>
-    <message>
-        <source>Zoom in and out</source>
-        <translation>放大、缩小</translation>
-    </message>
-    <message>
-        <source>Double click on a link</source>
-        <translation>双击连杆</translation>
-    </message>
-    <message>
-        <source>Mark the joint that moves it and go to its field</source>
-        <translation>标出带动该连杆的关节，并转到它的编辑栏</translation>
-    </message>
-    <message>
-        <source>Keyboard</source>
-        <translation>键盘</translation>
-    </message>
-    <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>Turn the view</source>
-        <translation>旋转视角</translation>
-    </message>
-    <message>
-        <source>+  −</source>
-        <translation>+  −</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Home</translation>
-    </message>
-    <message>
-        <source>The first view again</source>
-        <translation>还原最初的视角</translation>
-    </message>
-    <message>
-        <source>F12, Pause</source>
-        <translation>F12、Pause</translation>
-    </message>
-    <message>
-        <source>Emergency stop, from every window of the program</source>
-        <translation>急停，在本程序的任何窗口中都有效</translation>
-    </message>
-    <message>
-        <source>Figures at the top left</source>
-        <translation>左上方的数值</translation>
-    </message>
-    <message>
-        <source>X  Y  Z</source>
-        <translation>X  Y  Z</translation>
-    </message>
-    <message>
-        <source>Measured place of the flange, in mm</source>
-        <translation>法兰的实测位置，单位 mm</translation>
-    </message>
-    <message>
-        <source>RX  RY  RZ</source>
-        <translation>RX  RY  RZ</translation>
-    </message>
-    <message>
-        <source>Its measured rotation: roll, pitch, yaw, in degrees</source>
-        <translation>法兰的实测姿态：横滚、俯仰、偏航，单位 °</translation>
-    </message>
-    <message>
-        <source>J1 … J6</source>
-        <translation>J1 … J6</translation>
-    </message>
-    <message>
-        <source>Measured joint angles in degrees, J1 the lowest joint</source>
-        <translation>各关节的实测角度，单位 °，由下到上为 J1～J6</translation>
-    </message>
-    <message>
-        <source>What the picture says</source>
-        <translation>画面的含义</translation>
-    </message>
-    <message>
-        <source>—</source>
-        <translation>—</translation>
-    </message>
-    <message>
-        <source>Not heard from the arm yet: no figure is made up</source>
-        <translation>尚未收到机械臂的反馈，不显示虚构的数值</translation>
-    </message>
-    <message>
-        <source>Muted figures, faded arm</source>
-        <translation>数值变灰，模型变淡</translation>
-    </message>
-    <message>
-        <source>Older than half a second: where the arm was, not where it is</source>
-        <translation>反馈已超过 0.5 秒：这是机械臂之前的位置，不一定是现在的位置</translation>
-    </message>
-    <message>
-        <source>Red, green, blue axis</source>
-        <translation>红、绿、蓝轴</translation>
-    </message>
-    <message>
-        <source>X, Y and Z of the base, from the middle of its foot</source>
-        <translation>基座坐标系的 X、Y、Z 轴，原点在底座中心</translation>
-    </message>
-    <message>
-        <source>Ctrl+1 … Ctrl+4</source>
-        <translation>Ctrl+1 … Ctrl+4</translation>
-    </message>
-    <message>
-        <source>Front, side, top and oblique view</source>
-        <translation>前视、侧视、俯视、轴测视图</translation>
-    </message>
-    <message>
-        <source>Ctrl+5, Ctrl+9</source>
-        <translation>Ctrl+5、Ctrl+9</translation>
-    </message>
-    <message>
-        <source>Follow the tool; show all of the arm</source>
-        <translation>跟随末端；显示整个机械臂</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation>Ctrl+Shift+D</translation>
-    </message>
-    <message>
-        <source>Handles: drag the target, or the chosen point; Ctrl and Shift snap, Esc gives up</source>
-        <translation>手柄：拖动目标或所选点；按住 Ctrl、Shift 按步进，Esc 放弃</translation>
-    </message>
-    <message>
-        <source>Band along the way</source>
-        <translation>沿途的色带</translation>
-    </message>
-    <message>
-        <source>Where the tool has been; thin violet: the setpoints sent one after another</source>
-        <translation>末端走过的路径；紫色细线：依次发送的目标点</translation>
-    </message>
-    <message>
-        <source>Octagon, triangle</source>
-        <translation>八角形、三角形</translation>
-    </message>
-    <message>
-        <source>An error or a warning of the check, where it would happen: click for its row</source>
-        <translation>检查发现的错误或警告及其位置：点击转到对应行</translation>
-    </message>
-</context>
-<context>
-    <name>HelpPage</name>
-    <message>
-        <source>Help: 3D view</source>
-        <translation>使用帮助</translation>
-    </message>
-</context>
-<context>
     <name>HoldButton</name>
     <message>
         <source>Hold it for {seconds} s, with the mouse or the space bar.</source>
@@ -8200,6 +8026,10 @@ Lamps give no feedback: this is only what will be sent.</source>
     <message>
         <source>Language, theme, jog step, 3D model</source>
         <translation>语言、主题、点动步长、3D 模型</translation>
+    </message>
+    <message>
+        <source>Help: 3D view</source>
+        <translation>使用帮助</translation>
     </message>
 </context>
 <context>
@@ -14703,6 +14533,18 @@ The other program must have ended.</source>
         <translation>关闭对话框</translation>
     </message>
     <message>
+        <source>Turn the view</source>
+        <translation>旋转视角</translation>
+    </message>
+    <message>
+        <source>Zoom in and out</source>
+        <translation>放大、缩小</translation>
+    </message>
+    <message>
+        <source>The first view again</source>
+        <translation>还原最初的视角</translation>
+    </message>
+    <message>
         <source>With Space held: J1 to J6 up, down</source>
         <translation>按住空格：J1 至 J6 增、减</translation>
     </message>
@@ -16861,14 +16703,6 @@ Before: {before}</source>
     <message>
         <source>How to use the program; F1 opens it at the place where you are.</source>
         <translation>程序的用法；按 F1 打开当前所在处的章节。</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>使用帮助</translation>
-    </message>
-    <message>
-        <source>Mouse, keys and figures of the 3D picture.</source>
-        <translation>3D 画面的鼠标与键盘操作、数值的含义。</translation>
     </message>
 </context>
 <context>

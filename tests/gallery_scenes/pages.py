@@ -182,7 +182,6 @@ SCENES = (
     Scene("drawer-sessions", _online(sessions.listed), sizes=_WIDE),
     Scene("drawer-sessions-recording", _online(sessions.recording), sizes=_SIZES),
     Scene("drawer-guide", _guide, sizes=_WIDE),
-    Scene("drawer-help", _tab("help"), sizes=_WIDE),
     Scene("drawer-after-end-load", _drawer_after_end_load, sizes=((1024, 720), (1440, 900))),
     Scene("library-put-back", _put_back, sizes=((1024, 720),)),
     Scene("library-stopped", _stopped_below_a_page, sizes=((1024, 720),)),

@@ -11,9 +11,8 @@ from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.actions.palette import CommandPalette
 from armui.ui.actions.palette_items import nothing_to_do
 from armui.ui.actions.search import rank
-from armui.ui.actions.shortcut_list import ShortcutList
+from armui.ui.actions.shortcut_list import KeyCap, ShortcutList
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
-from armui.ui.dialogs.sections import KeyCap
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.panels.cell.cell_panel import TABS as CELL_TABS
 from armui.ui.picture.view_bar import ViewBar

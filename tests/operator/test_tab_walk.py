@@ -161,7 +161,7 @@ DIALOGS = {
 }
 
 
-DRAWER = ("plots", "events", "bus", "sessions", "joint_status", "guide", "help")
+DRAWER = ("plots", "events", "bus", "sessions", "joint_status", "guide")
 
 
 def actions(driver):

@@ -22,7 +22,7 @@ pytestmark = pytest.mark.styled
 
 LEFT = Qt.MouseButton.LeftButton
 KEYS = (Qt.Key.Key_F12, Qt.Key.Key_Pause, HALT_KEY)
-DRAWER = ("plots", "events", "bus", "sessions", "joint_status", "guide", "help")
+DRAWER = ("plots", "events", "bus", "sessions", "joint_status", "guide")
 LARGE_PX = 40
 
 

@@ -300,7 +300,7 @@ def test_the_dialogs(live_driver, monkeypatch, name):
     assert forbidden(seen) == []
 
 
-@pytest.mark.parametrize("name", ["joint_status", "help", "guide", "sessions"])
+@pytest.mark.parametrize("name", ["joint_status", "guide", "sessions"])
 def test_the_pages_of_the_drawer(live_driver, monkeypatch, name):
     """The guide, its pictures too, is read by another thread."""
     app_driver = live_driver

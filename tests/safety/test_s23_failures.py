@@ -134,6 +134,9 @@ def test_the_window_says_it_in_one_line_with_a_text_to_copy(app_driver, told):
     assert "2 times" in line.text()
     app_driver.click("failure_close_button")
     assert not line.isVisible()
+    for ends in (False, True):  # put away, it comes again where it has ended a motion
+        app_driver.window.show_failure(told[-1], motion_ended=ends)
+        assert line.isVisible() == ends
 
 
 def test_a_jog_whose_part_fails_ends_and_the_stop_still_stops(any_driver, told, monkeypatch):

@@ -18,7 +18,6 @@ from armui.ui.dialogs.confirm_dialog import ConfirmDialog, confirm
 from armui.ui.dialogs.connect import ConnectDialog
 from armui.ui.dialogs.files import FileDialog, choose_file
 from armui.ui.dialogs.settings import SettingsDialog
-from armui.ui.guide.help_page import HelpPage
 from armui.ui.theme import Theme, apply_theme
 from armui.ui.translation import Language, Translator
 from armui.ui.widgets.stop_button import StopButton
@@ -279,27 +278,7 @@ def test_its_sign_follows_the_theme(
     assert ink() != light
 
 
-# Help and files -----------------------------------------------------------------------------------
-
-
-def test_the_help_names_what_the_3d_area_can_do(qtbot: QtBot, translator: Translator) -> None:
-    translator.set_language("zh")
-    page = HelpPage()
-    shown(qtbot, page)
-    text = words_of(page)
-
-    for word in ("左键拖动", "中键拖动", "滚轮", "双击连杆", "Home", "F12", "RX  RY  RZ", "—"):
-        assert word in text
-
-
-def test_the_help_scrolls_down_only(qtbot: QtBot, translator: Translator) -> None:
-    for language in ("zh", "en"):
-        translator.set_language(language)
-        page = HelpPage()
-        page.resize(1072, 245)
-        shown(qtbot, page)
-        assert page.area.verticalScrollBar().maximum() > 0
-        assert page.area.horizontalScrollBar().maximum() == 0
+# Files --------------------------------------------------------------------------------------------
 
 
 @pytest.mark.styled

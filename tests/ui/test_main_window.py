@@ -258,7 +258,7 @@ def test_a_robot_chosen_in_the_settings_that_cannot_be_loaded_is_said_there(wind
     ("button", "dialog"),
     [
         ("communication_button", "ConnectDialog"),
-        ("help_button", "HelpPage"),
+        ("help_button", "GuidePage"),
         ("settings_button", "SettingsDialog"),
     ],
 )

@@ -16,9 +16,9 @@ KINDS = {
 }
 
 
-@pytest.fixture(params=KINDS.values(), ids=KINDS)
+@pytest.fixture(params=KINDS)
 def panel(request, qtbot, controller):
-    panel = request.param(controller)
+    panel = KINDS[request.param](controller)
     qtbot.addWidget(panel)
     panel.resize(440, 700)
     panel.show()

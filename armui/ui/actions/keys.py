@@ -28,9 +28,9 @@ _TOLD: Final = (
         Text("Shortcut", "To the next control; with Shift to the one before"),
     ),
     ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
-    ("view.turn", "← → ↑ ↓", Text("Help", "Turn the view")),
-    ("view.zoom", "+  −", Text("Help", "Zoom in and out")),
-    ("view.home", "Home", Text("Help", "The first view again")),
+    ("view.turn", "← → ↑ ↓", Text("Shortcut", "Turn the view")),
+    ("view.zoom", "+  −", Text("Shortcut", "Zoom in and out")),
+    ("view.home", "Home", Text("Shortcut", "The first view again")),
     ("jogging.joints", "Q…Y, A…H", Text("Shortcut", "With Space held: J1 to J6 up, down")),
     (
         "jogging.place",

@@ -26,7 +26,6 @@ _WINDOWS: Final[Mapping[str, str]] = {
     "ExportDialog": "export",
     "FaultsDialog": "simulated",
     "GamepadDialog": "gamepad",
-    "HelpPage": "view",
     "ImportReport": "files",
     "InterfaceDialog": "interface",
     "JointStatusPage": "joint_status",

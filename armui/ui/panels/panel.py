@@ -172,8 +172,11 @@ class Panel(HasActs, Translated, QWidget):
         card = None if area is None else area.widget()
         if area is None or card is None or not isinstance(layout, QBoxLayout):
             return
+        layout.activate()
         shown_px = 0 if message.isHidden() else message.height() + self._gap_px
-        room_px = area.height() + shown_px - message.kept_px() - self._gap_px
+        end = layout.itemAt(layout.count() - 1)
+        spare_px = 0 if end is None else end.geometry().height()
+        room_px = area.height() + shown_px + spare_px - message.kept_px() - self._gap_px
         short = _least_height(card, area.viewport().width()) > room_px
         place = layout.indexOf(area) + 1 if short else layout.count() - 2
         if layout.indexOf(message) != place:
@@ -237,9 +240,6 @@ class Panel(HasActs, Translated, QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Distribute the new space."""
         super().resizeEvent(event)
-        layout = self.layout()
-        if layout is not None:
-            layout.activate()
         self._share_room()
 
 

@@ -110,7 +110,7 @@ class Drawer(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         for key, page in self._pages.items():
-            caption(self._tabs[key], page.tab_title.text(), tip=page.tip_text)
+            caption(self._tabs[key], page.title.text(), tip=page.tip_text)
         tip = self.tr("Moves this page into its own window, for a second screen.")
         describe(self._take_out, self.tr("Own window"), tip)
         describe(self._fold, self.tr("Fold away"), self.tr("Folds the drawer away (Esc)"))

@@ -32,12 +32,11 @@ class PageEntry(Generic[_Opener]):
     """A page or window; what opens it is given to its functions.
 
     Attributes:
-        title: Its title.
+        title: Its title, also of its tab and its button.
         home: Where it is shown; a page can be moved from there into a window of its own.
         kind: Loads and returns its class, which declares its commands.
         make: Creates it when it is first opened; ``None`` if that is left to `show`.
         tip: Its purpose, for its tab and its button.
-        short_title: The text of its tab and its button, if that is not the title.
         command: Opens it from the command palette.
         beside_menu: True if it has a button below the menu, of the name ``<key>_button``.
         show: Shows it, if that is more than to create and open it.
@@ -48,7 +47,6 @@ class PageEntry(Generic[_Opener]):
     kind: Callable[[], type[Page | ArmDialog]]
     make: Callable[[_Opener], Page | ArmDialog] | None = None
     tip: Text | None = None
-    short_title: Text | None = None
     command: Command | None = None
     beside_menu: bool = False
     show: Callable[[_Opener], object] | None = None
@@ -57,11 +55,6 @@ class PageEntry(Generic[_Opener]):
     def movable(self) -> bool:
         """True if it can be moved into a window of its own."""
         return self.home is not Home.WINDOW
-
-    @property
-    def tab_title(self) -> Text:
-        """The text of its tab and its button."""
-        return self.short_title or self.title
 
     @property
     def tip_text(self) -> str:

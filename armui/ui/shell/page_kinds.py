@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from armui.ui.dialogs.settings import SettingsDialog
     from armui.ui.dialogs.simulated_faults import FaultsDialog
     from armui.ui.guide.guide_page import GuidePage
-    from armui.ui.guide.help_page import HelpPage
     from armui.ui.interface.interface_dialog import InterfaceDialog
     from armui.ui.trajectory.editor.editor_page import EditorPage
     from armui.ui.trajectory.library.library_page import LibraryPage
@@ -91,13 +90,6 @@ def guide_page() -> type[GuidePage]:
     from armui.ui.guide.guide_page import GuidePage  # noqa: PLC0415 - for its page
 
     return GuidePage
-
-
-def help_page() -> type[HelpPage]:
-    """Return the class of the page 使用帮助: how the 3D picture is used."""
-    from armui.ui.guide.help_page import HelpPage  # noqa: PLC0415 - for its page
-
-    return HelpPage
 
 
 def replay_window() -> type[ReplayWindow]:

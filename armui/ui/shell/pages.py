@@ -24,7 +24,6 @@ from armui.ui.shell.page_kinds import (
     export_dialog,
     faults_dialog,
     guide_page,
-    help_page,
     inspection_dialog,
     interface_dialog,
     joint_status_page,
@@ -203,10 +202,6 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         lambda it: guide_page()(it.background),
         Text("WatchMenu", "How to use the program; F1 opens it at the place where you are."),
         show=lambda it: it.open_guide()),
-    "help": PageEntry(
-        Text("HelpPage", "Help: 3D view"), Home.DRAWER, help_page, lambda _: help_page()(),
-        Text("WatchMenu", "Mouse, keys and figures of the 3D picture."),
-        short_title=Text("WatchMenu", "Help")),
     "replay": PageEntry(
         Text("Place", "Replay"), Home.WINDOW, replay_window, _new_replay,
         command=Command("replay.open", Text("Action", "Replay a log"),

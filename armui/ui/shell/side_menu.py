@@ -181,7 +181,7 @@ class WatchMenu(Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set the names in the operator's language."""
         for key, button in self._buttons.items():
-            title = self._pages[key].tab_title.text()
+            title = self._pages[key].title.text()
             button.setText(f" {title}")
             button.setAccessibleName(title)
             button.setToolTip(self._pages[key].tip_text)
@@ -239,7 +239,7 @@ class MenuFoot(HasActs, Translated, QWidget):
         "Help",
         named="help_button",
         key="view.help",
-        title=Text("HelpPage", "Help: 3D view"),
+        title=Text("MenuFoot", "Help: 3D view"),
         tip="How to use the 3D view",
         kind=_foot_button,
     )

@@ -85,7 +85,7 @@ class FailureLine(HasActs, Translated, QWidget):
         return self._message.text()
 
     def show_failure(self, failure: Failure, *, motion_ended: bool) -> None:
-        """Show a failure; the same one again is only counted.
+        """Show a failure; the same one again, put away, is only counted if it ends no motion.
 
         Args:
             failure: The failure.
@@ -94,7 +94,7 @@ class FailureLine(HasActs, Translated, QWidget):
         again = self._failure is not None and self._failure.error == failure.error
         self._failure, self._motion_ended = failure, motion_ended
         self._say()
-        if not again:
+        if motion_ended or not again:
             self.show()
 
     @dismiss.pressed

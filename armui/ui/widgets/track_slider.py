@@ -83,7 +83,7 @@ class TrackSlider(QSlider):
         self._attention = attention
         if value is not None:
             with QSignalBlocker(self):
-                self.setValue(round(value / self._resolution))  # this repaints if the handle moves
+                self.setValue(round(self._steps(value)))  # this repaints if the handle moves
         if before != (self._requested_known, self._attention):
             self.update()
 
@@ -109,9 +109,12 @@ class TrackSlider(QSlider):
         """Return where a value stands on the track, in half pixels: finer can't be seen."""
         if value is None or self.maximum() == self.minimum():
             return None
-        steps = min(max(value / self._resolution, self.minimum()), self.maximum())
-        share = (steps - self.minimum()) / (self.maximum() - self.minimum())
+        share = (self._steps(value) - self.minimum()) / (self.maximum() - self.minimum())
         return round(2 * (_EDGE_PX + share * (self.width() - 2 * _EDGE_PX))) / 2
+
+    def _steps(self, value: float) -> float:
+        """Return a value on the track in its steps: Qt takes no figure of any size."""
+        return min(max(value / self._resolution, self.minimum()), self.maximum())
 
     def _value_at(self, x: float) -> int:
         share = (x - _EDGE_PX) / max(1.0, self.width() - 2 * _EDGE_PX)

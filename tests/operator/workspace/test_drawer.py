@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
-from armui.ui.guide.help_page import HelpPage
+from armui.ui.guide.guide_page import GuidePage
 from armui.ui.watch.bus.bus_page import BusPage
 from armui.ui.watch.events.event_page import EventPage
 from armui.ui.watch.joint_status_page import JointStatusPage
@@ -95,17 +95,16 @@ def test_page_and_drawer_stand_together(pages):
 
 def test_the_help_of_the_picture_opens_below_it(pages):
     pages.driver.click("help_button")
-    page = pages.driver.page(HelpPage)
+    page = pages.driver.page(GuidePage)
+    pages.driver.wait(lambda: page.shown == "view")
     assert page.window() is pages.driver.window
-    assert pages.driver.find("drawer_help").isChecked()
-    QTest.keyClick(page.area, Qt.Key.Key_Escape)
+    assert pages.driver.find("drawer_guide").isChecked()
+    QTest.keyClick(page.browser, Qt.Key.Key_Escape)
     assert not page.isVisible()
 
 
 @pytest.mark.each_value(full="each key in both languages")
-@pytest.mark.parametrize(
-    "key", ["plots", "events", "bus", "joint_status", "sessions", "guide", "help"]
-)
+@pytest.mark.parametrize("key", ["plots", "events", "bus", "joint_status", "sessions", "guide"])
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_the_drawer_of_a_small_window_scrolls_no_page_of_its_own(pages, key, language):
     """What is longer scrolls within the page: its list, its text."""

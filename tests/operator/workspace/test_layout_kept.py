@@ -104,7 +104,7 @@ def test_windows_that_were_open_open_again_where_they_stood(started):
     assert pages.driver.find("drawer").isHidden()
 
 
-@pytest.mark.parametrize("key", ["sessions", "joint_status", "guide", "help"])
+@pytest.mark.parametrize("key", ["sessions", "joint_status", "guide"])
 def test_so_does_every_page_of_the_drawer(started, key):
     pages = started()
     pages.driver.click("events_button")

@@ -39,7 +39,7 @@ def test_no_page_scrolls_sideways(qapp, pages, language):
 
 @pytest.mark.each_value(full="each page in both languages")
 @pytest.mark.parametrize("language", ["en", "zh"])
-@pytest.mark.parametrize("page", ["events", "sessions", "joint_status", "guide", "help"])
+@pytest.mark.parametrize("page", ["events", "sessions", "joint_status", "guide"])
 def test_no_page_of_the_drawer_scrolls_sideways(pages, page, language):
     pages.driver.store.change(language=language)
     pages.driver.window.resize(1024, 720)
