@@ -71,6 +71,11 @@ class ResumeEntry:
         found = zip(JOINTS, self.slips_deg, strict=True)
         return {joint: deg for joint, deg in found if deg is not None and abs(deg) >= SLIP_DEG}
 
+    @property
+    def text(self) -> str:
+        """What slipped, as ``J1 -5.0°, J2 +1.0°``; empty if nothing did."""
+        return ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in self.slipped.items())
+
 
 def read_inspections(entries: object) -> tuple[InspectionEntry, ...]:
     """Return the inspections in JSON entries; those that are not understood are left out."""

@@ -234,6 +234,7 @@ class ControllerParts(QObject):
             take_over=self.take_over,
             mode_exit=self.mode_exit,
             allow=lambda: self.reference.allow(),  # noqa: PLW0108 - made when it is needed
+            note_slip=lambda: self.reference.note_slip(),  # noqa: PLW0108 - likewise
             come_inside=self.motion.come_inside,
             cell=self.cell,
             announce=self.step_changed.emit,

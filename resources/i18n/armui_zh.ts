@@ -11165,6 +11165,10 @@ Afterwards the motors must be enabled again.</source>
         <translation>拖动…</translation>
     </message>
     <message>
+        <source>Noted</source>
+        <translation>知道了</translation>
+    </message>
+    <message>
         <source>Take command…</source>
         <translation>待机…</translation>
     </message>
@@ -11457,6 +11461,10 @@ The other program must have ended.</source>
     <message>
         <source>The motors are off. Enable them to move the arm.</source>
         <translation>电机未使能。使能后可运动。</translation>
+    </message>
+    <message>
+        <source>At the resume the feedback jumped: {joints}. By so much the joint stood elsewhere than it reported; what was taught or set as zero before may be off by it.</source>
+        <translation>解除急停时反馈跳变：{joints}。关节的实际位置与上报值相差这么多；此前示教的点或设置的零点可能有同样的偏差。</translation>
     </message>
     <message>
         <source>Outside its limits: {outside}. Hold Move inside.</source>

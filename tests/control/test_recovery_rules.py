@@ -233,12 +233,15 @@ def locked_otherwise() -> Iterator[tuple[ArmState, OperatingState]]:
 
 
 def in_a_cell() -> Iterator[tuple[ArmState, OperatingState]]:
-    """A cell not confirmed, its area entered; a reference in doubt, agreed to, checked or not."""
+    """A cell not confirmed, its area entered; a reference in doubt or after a slip."""
     inside = AreaIntrusion("table", "gripper", 4)
     yield arm(status()), operating_state(arm(status()), intrusion=inside, keeps_area=True)
     for enabled, allowed, checking in itertools.product(ENABLED, (False, True), (False, True)):
         doubt = ReferenceStatus((2, 5), allowed, checking)
         yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=doubt)
+    for enabled in ENABLED:
+        slip = ReferenceStatus(slipped="J1 -5.0°")
+        yield arm(status(), enabled), operating_state(arm(status(), enabled), reference=slip)
     holding = CELL_HOLDING_NOT_CONFIRMED(name="bench", held="cube")
     for waits in (holding, CELL_NOT_CONFIRMED(name="bench"), CELL_NOT_READ(name="bench")):
         authority, state = Authority(), arm(status())
@@ -308,6 +311,8 @@ def is_agreed_to(action: Action, now: OperatingState) -> bool:
         return bool(now.holds) or (action is Action.GIVE_UP and now.may_hold_another)
     if action is Action.COME_INSIDE:
         return now.outside != "" and now.cannot_move is None
+    if action is Action.NOTED:
+        return reference.slipped != ""
     if action is Action.ALLOW:
         return bool(reference.doubtful) and not (reference.allowed or reference.checking)
     asks_for_cell = action in {Action.CONFIRM_CELL, Action.LEAVE_CELL}

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from armui.arm.inspection_record import ResumeEntry
+from armui.control.safety.recovery_steps import Action, StepKind
 from armui.sim.faults.schedule import fault
 from armui.telemetry.jumps import jump_deg
 from tests.accepted import accepted
@@ -51,6 +52,27 @@ def test_a_slip_is_said_and_kept(ready, joint):
     assert abs(entry.slips_deg[joint - 1]) == pytest.approx(5.0, abs=0.3)
     assert list(entry.slipped) == [joint]
     assert entry.at.startswith("20")
+
+
+def test_the_line_says_it_until_that_is_noted(ready):
+    recovery = ready.controller.recovery
+    ready.node.faults.start(fault("slip", 1))
+    stopped_and_resumed(ready)
+    assert (recovery.step.kind, recovery.step.action) == (StepKind.SLIPPED, Action.ENABLE)
+    assert recovery.step.params["joints"].startswith("J1 ")
+    accepted(ready.controller.motors.enable())
+    ready.run(2.0)
+    assert ready.controller.operating_state.cannot_move is None  # it forbids nothing
+    assert recovery.step.kind in {StepKind.SLIPPED, StepKind.OUTSIDE}
+    if recovery.step.kind is StepKind.OUTSIDE:
+        accepted(ready.controller.motion.come_inside())
+        ready.run(20.0)
+    assert (recovery.step.kind, recovery.step.alternative) == (StepKind.SLIPPED, Action.NOTED)
+    assert recovery.act(recovery.step, Action.NOTED) is None
+    ready.run(0.1)
+    assert recovery.step.kind is StepKind.READY
+    stopped_and_resumed(ready)
+    assert recovery.step.kind is StepKind.MOTORS_OFF
 
 
 def test_an_arm_that_has_not_slipped_drops_and_that_is_no_slip(ready):

@@ -146,6 +146,7 @@ class Recovery(ControllerPart):
         take_over: Takes the arm from another host.
         mode_exit: Takes the arm out of another host's mode.
         allow: Agrees to motions with a reference in doubt.
+        note_slip: Leaves it at what has slipped at a resume.
         cell: Confirms the cell of the arm.
         announce: Called with each new step.
 
@@ -167,6 +168,7 @@ class Recovery(ControllerPart):
         take_over: Callable[[], Refusal | None],
         mode_exit: ModeExitCommand,
         allow: Callable[[], Started | Refusal],
+        note_slip: Callable[[], None],
         come_inside: Callable[[], Started | Refusal],
         cell: CellControl,
         announce: Callable[[Step], object],
@@ -212,6 +214,7 @@ class Recovery(ControllerPart):
                 lambda _step: mode_exit.send(), lambda _now: mode_exit.why_not(), awaited=False
             ),
             Action.ALLOW: _Act(lambda _step: allow(), awaited=False),
+            Action.NOTED: _Act(lambda _step: note_slip(), awaited=False),
             Action.COME_INSIDE: _operation(come_inside, awaited=False),
             Action.CONFIRM_CELL: _operation(cell.confirm, awaited=False),
             Action.LEAVE_CELL: _operation(cell.choose, "", awaited=False),

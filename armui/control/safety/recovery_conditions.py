@@ -294,6 +294,12 @@ def reference_in_doubt(*, agreed: bool) -> Applies:
     return applies
 
 
+def slipped(view: RecoveryView) -> Params | None:
+    """Apply to what slipped at a resume and was not noted; with the joints and degrees."""
+    joints = view.operating_state.reference.slipped
+    return {"joints": joints} if joints else None
+
+
 def when_off(applies: Applies) -> Applies:
     """Return a check that applies as another one does, while not all motors are enabled."""
     return lambda view: None if view.enabled else applies(view)

@@ -95,6 +95,8 @@ class Action(enum.Enum):
         "motions may begin for one minute. Keep a hand on the stop.",
     )
     """Motions are agreed to with a reference in doubt."""
+    NOTED = ActionText("noted", "Noted")
+    """What slipped at a resume was read."""
     STANDBY = ActionText(
         "standby",
         "Take command…",
@@ -349,6 +351,11 @@ class StepKind(enum.Enum):
     REFERENCE_AGREED = StepText(
         "reference_agreed",
         "Motions are agreed to, though joint {joints} may stand elsewhere than it reports.",
+    )
+    SLIPPED = StepText(
+        "slipped",
+        "At the resume the feedback jumped: {joints}. By so much the joint stood elsewhere than it "
+        "reported; what was taught or set as zero before may be off by it.",
     )
     OUTSIDE = StepText(
         "outside",

@@ -186,6 +186,7 @@ class ReferenceControl(ControllerPart):
         self._left_over_deg: tuple[float, ...] | None = None
         self._simulated: ReferenceRecord | None = None
         """What is known of the simulated arm of this device: the next one is new."""
+        self._slipped = ""
         self.check: ReferenceCheck | None = None
         self.record = ReferenceRecord()
         context.connection.add_listener(self._listener)
@@ -201,6 +202,7 @@ class ReferenceControl(ControllerPart):
             check is not None and check.looked,
             () if check is None else check.by_hand,
             () if check is None else check.unanswered,
+            slipped=self._slipped,
         )
 
     @property
@@ -270,7 +272,7 @@ class ReferenceControl(ControllerPart):
         if check is None:
             return CHECK_NOT_OPEN()
         off_deg, at = check.off_deg, self._now()
-        self.check = None
+        self.check, self._slipped = None, ""
         self._allowed_until_s = -math.inf
         self._keep(
             replace(
@@ -308,7 +310,13 @@ class ReferenceControl(ControllerPart):
 
     def keep_resume(self, entry: ResumeEntry) -> None:
         """Keep with the arm by how much its feedback jumped at a resume."""
+        self._slipped = entry.text or self._slipped
         self._keep(replace(self.record, resumes=(*self.record.resumes, entry)[-KEPT:]))
+
+    def note_slip(self) -> None:
+        """Leave it at that: the operator has read what slipped at a resume."""
+        self._slipped = ""
+        self._context.refresh()
 
     def keep_inspection(self, entry: InspectionEntry) -> None:
         """Keep with the arm what an inspection has measured."""
@@ -383,7 +391,7 @@ class ReferenceControl(ControllerPart):
 
     def _leave(self) -> None:
         self._key = self._arm = self._left_over_deg = self.check = None
-        self._allowed_until_s = -math.inf
+        self._allowed_until_s, self._slipped = -math.inf, ""
         self.record = ReferenceRecord()
         self._watch.reset(self._context.clock())
 

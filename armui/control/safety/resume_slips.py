@@ -100,6 +100,6 @@ class ResumeSlips(ControllerPart):
         at = self._wall(first_s).isoformat(timespec="seconds")
         entry = ResumeEntry(at, tuple(slips_deg))
         self._reference.keep_resume(entry)
-        if slipped := entry.slipped:
-            joints = ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in slipped.items())
+        if joints := entry.text:
             self._context.tell(RESUME_SLIPPED, joints=joints)
+            self._context.refresh()

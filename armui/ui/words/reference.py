@@ -40,11 +40,8 @@ def resume_text(record: ReferenceRecord) -> str:
     """Return which joints slipped at the last resumes, or that none did, for a line of text."""
     if not record.resumes:
         return QCoreApplication.translate("Reference", "No resume (0x150) was seen")
-    lines = []
-    for entry in reversed(record.resumes):
-        slipped = ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in entry.slipped.items())
-        if slipped:
-            lines.append(f"{stamp_text(entry.at)}: {slipped}")
+    slipped = (each for each in reversed(record.resumes) if each.text)
+    lines = [f"{stamp_text(each.at)}: {each.text}" for each in slipped]
     if not lines:
         text = QCoreApplication.translate("Reference", "None; last resume {time}")
         if None in record.resumes[-1].slips_deg:
