@@ -11423,14 +11423,6 @@ The other program must have ended.</source>
         <translation>已命令机械臂终止运动，但它仍在动。请急停，或切断其电源。</translation>
     </message>
     <message>
-        <source>Another program controls the arm since {since} ({frames}, {rate} frames/s).</source>
-        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
-    </message>
-    <message>
-        <source>A leader arm moves this arm since {since} ({frames}, {rate} frames/s).</source>
-        <translation>主臂正在带动本机械臂：自 {since} 起（{frames}，{rate} 帧/秒）。</translation>
-    </message>
-    <message>
         <source>Still in drag teaching, near the rest pose. Hold the arm and reset it; if it stays, switch it off and on.</source>
         <translation>仍处于示教模式，已接近零位。请扶住机械臂并复位；若仍未退出，请重新上电。</translation>
     </message>
@@ -11523,6 +11515,14 @@ The other program must have ended.</source>
         <translation>上次在此使用的单元是“{name}”，夹爪夹着“{held}”。两者都属实请确认；如夹爪是空的，请先在“单元”中标为“已放下”。</translation>
     </message>
     <message>
+        <source>Another program controls the arm since {since} ({frames}).</source>
+        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}）。</translation>
+    </message>
+    <message>
+        <source>A leader arm moves this arm since {since} ({frames}).</source>
+        <translation>主臂正在带动本机械臂：自 {since} 起（{frames}）。</translation>
+    </message>
+    <message>
         <source>The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.</source>
         <translation>机械臂保留着已暂停的运动，目标 {target}。按住“继续”1 秒，或放弃它。</translation>
     </message>
@@ -11597,6 +11597,10 @@ The other program must have ended.</source>
     <message>
         <source>Motions are agreed to, though joint {joints} may stand elsewhere than it reports.</source>
         <translation>已同意运动，但关节 {joints} 的实际位置可能与上报不符。</translation>
+    </message>
+    <message>
+        <source>{frames}, {rate} frames/s</source>
+        <translation>{frames}，{rate} 帧/秒</translation>
     </message>
     <message>
         <source>Motion is locked: {obstacle}</source>

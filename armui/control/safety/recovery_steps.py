@@ -291,11 +291,9 @@ class StepKind(enum.Enum):
         "The cell “{name}” kept for this arm could not be read. Choose another one under Cell.",
     )
     OTHER_HOST = StepText(
-        "other_host", "Another program controls the arm since {since} ({frames}, {rate} frames/s)."
+        "other_host", "Another program controls the arm since {since} ({frames})."
     )
-    LEADER_ARM = StepText(
-        "leader_arm", "A leader arm moves this arm since {since} ({frames}, {rate} frames/s)."
-    )
+    LEADER_ARM = StepText("leader_arm", "A leader arm moves this arm since {since} ({frames}).")
     PAUSED = StepText(
         "paused",
         "The arm holds back a paused motion to {target}. Hold “Continue” for 1 s, or give it up.",

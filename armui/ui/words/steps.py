@@ -12,6 +12,7 @@ from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
 from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import Text, said, sentence
 
+_STREAM: Final = Text("RecoveryStep", "{frames}, {rate} frames/s")
 _LOCKED: Final = Text("RecoveryStep", "Motion is locked: {obstacle}")
 """What precedes a fault with which the arm takes no motion."""
 
@@ -35,6 +36,8 @@ def _obstacle(this: Step) -> tuple[str, ...]:
     params: dict[str, object] = dict(this.params)
     if isinstance(mode := params.get("mode"), int):
         params["mode"] = arm.control_mode(mode)
+    if params.get("rate"):  # of single frames, or of many sorts of them, there is none to tell
+        params["frames"] = _STREAM.text().format(**params)
     if "target" in params:
         params["target"] = held_target(params["target"])
     if isinstance(other := params.get("other_mode"), str):

@@ -262,3 +262,16 @@ def test_a_run_is_continued_beside_its_own_trajectory_alone(driver):
     assert not resume.isVisible()
     driver.choose("near")
     assert resume.isVisible()
+
+
+def test_why_one_was_not_run_is_not_said_of_another(driver):
+    beyond = Waypoint(MoveMode.MOVE_J, (0.0, 60.0, -60.0, 0.0, 0.0, 170.0))
+    driver.library.save(Trajectory("beyond", points=(beyond,)))
+    driver.app_driver.ready()
+    driver.window.refresh()
+    driver.choose("beyond")
+    driver.app_driver.click("run_send")
+    driver.app_driver.run(0.5)
+    assert driver.message().startswith("Not run")
+    driver.choose("three")
+    assert driver.message() == ""

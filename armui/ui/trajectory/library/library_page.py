@@ -135,7 +135,7 @@ class LibraryPage(Page):
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
         self._findings = FindingsPane(controller)
         self._found_of = ""
-        self._tells_end = False
+        self._tells_end, self._said_of = False, ""
         """The name of what the findings are about."""
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
@@ -234,9 +234,7 @@ class LibraryPage(Page):
         self._findings.found_changed.connect(self.found_changed)
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self._choices.asking.connect(self.run_asks)
-        self._run_bar.refused.connect(
-            lambda reason: self._say(partial(words.refusal, reason), Level.WARNING)
-        )
+        self._run_bar.refused.connect(self._on_run_refused)
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
 
@@ -389,6 +387,8 @@ class LibraryPage(Page):
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
+            if self._said_of not in ("", name):
+                self._say("")
 
     # How long they take -----------------------------------------------------------------------
 
@@ -527,6 +527,10 @@ class LibraryPage(Page):
         elif self._tells_end:
             self._say("")  # the end of an earlier run
 
+    def _on_run_refused(self, reason: Refusal) -> None:
+        self._say(partial(words.refusal, reason), Level.WARNING)
+        self._said_of = next(iter(self._chosen_names()), "")
+
     def _on_started(self, name: str, options: RunOptions) -> None:
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
 
@@ -571,7 +575,7 @@ class LibraryPage(Page):
     # Words ------------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_end = False
+        self._tells_end, self._said_of = False, ""
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
         for part in self._below:  # a message of many lines must not put its buttons out of sight
