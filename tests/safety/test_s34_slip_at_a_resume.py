@@ -72,7 +72,8 @@ def test_the_line_says_it_until_that_is_noted(ready):
     ready.run(0.1)
     assert recovery.step.kind is StepKind.READY
     stopped_and_resumed(ready)
-    assert recovery.step.kind is StepKind.MOTORS_OFF
+    assert recovery.step.action is Action.ENABLE
+    assert "joints" not in recovery.step.params
 
 
 def test_an_arm_that_has_not_slipped_drops_and_that_is_no_slip(ready):
