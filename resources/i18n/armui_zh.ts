@@ -7326,10 +7326,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>已删除：{names}</translation>
     </message>
     <message>
-        <source>“{name}” is open. Close its window first.</source>
-        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
-    </message>
-    <message>
         <source>“{new}” is called “{old}” again.</source>
         <translation>“{new}”已改回原名“{old}”。</translation>
     </message>
@@ -7694,6 +7690,14 @@ at 100 %</source>
     <message>
         <source>“{name}” ended at row {row}. {reason}</source>
         <translation>“{name}”在第 {row} 行结束。{reason}</translation>
+    </message>
+    <message>
+        <source>“{name}” is open. Close its window first.</source>
+        <translation>“{name}”正打开着，请先关闭其窗口。</translation>
+    </message>
+    <message>
+        <source>“{name}” is running. End the run first.</source>
+        <translation>“{name}”正在执行，请先结束执行。</translation>
     </message>
     <message>
         <source>Trajectory library</source>

@@ -275,3 +275,23 @@ def test_why_one_was_not_run_is_not_said_of_another(driver):
     assert driver.message().startswith("Not run")
     driver.choose("three")
     assert driver.message() == ""
+
+
+@pytest.mark.parametrize("act", ["delete", "rename"])
+def test_what_runs_keeps_its_name_and_place(driver, act):
+    driver.app_driver.ready()
+    player = driver.app_driver.controller.player
+    driver.choose("three")
+    driver.app_driver.click("run_send")
+    driver.app_driver.run(0.5)
+    if driver.app_driver.find("accept_warnings").isVisible():
+        driver.app_driver.click("accept_warnings")
+    driver.app_driver.run_until(lambda: player.running)
+    if act == "delete":
+        driver.click("delete")
+    else:
+        driver.rename("other")
+    driver.app_driver.run(0.2)
+    assert driver.message() == "“three” is running. End the run first."
+    assert "three" in driver.names()
+    assert player.running

@@ -45,7 +45,7 @@ class LibraryActions(HasActs, QObject):
 
     Args:
         work: Changes the library.
-        is_open: Returns whether the page of a trajectory is open: then it is not changed.
+        in_use: Returns why a trajectory is not to be changed now; an empty text if it may be.
         parent: Its owner.
 
     Signals:
@@ -63,11 +63,11 @@ class LibraryActions(HasActs, QObject):
         kind=lambda name: named(name, _CutButton()),
     )
 
-    def __init__(self, work: LibraryWork, is_open: Callable[[str], bool], parent: QObject) -> None:
+    def __init__(self, work: LibraryWork, in_use: Callable[[str], str], parent: QObject) -> None:
         super().__init__(parent)
         self._work = work
         self._library = work.library
-        self._is_open = is_open
+        self._in_use = in_use
         self._history = LibraryHistory(work.library)
 
     def listing(self) -> Listing:
@@ -117,7 +117,7 @@ class LibraryActions(HasActs, QObject):
 
     def rename(self, name: str, new: str) -> None:
         """Rename a trajectory."""
-        if not self._refuse_open([name]):
+        if not self._refuse_used([name]):
             self._work.do(
                 lambda: self._history.rename(name, new),
                 lambda _: self._done([new]),
@@ -126,7 +126,7 @@ class LibraryActions(HasActs, QObject):
 
     def delete(self, names: Sequence[str]) -> None:
         """Move trajectories to the bin."""
-        if not names or self._refuse_open(names):
+        if not names or self._refuse_used(names):
             return
         self._work.do(lambda: self._history.delete(names), self._on_deleted, self._on_refused)
 
@@ -193,7 +193,7 @@ class LibraryActions(HasActs, QObject):
     def undo(self) -> None:
         """Undo the last step."""
         step = self._history.last
-        if step is None or self._refuse_open(step.touched):
+        if step is None or self._refuse_used(step.touched):
             return
         self._work.do(
             self._history.undo,
@@ -209,14 +209,12 @@ class LibraryActions(HasActs, QObject):
             self._on_refused,
         )
 
-    def _refuse_open(self, names: Sequence[str]) -> bool:
-        """Return whether one of these is open; then that is said."""
-        name = next(filter(self._is_open, names), None)
-        if name is None:
-            return False
-        text = self.tr("“{name}” is open. Close its window first.").format(name=name)
-        self.said.emit(text, Level.WARNING)
-        return True
+    def _refuse_used(self, names: Sequence[str]) -> bool:
+        """Return whether one of these is in use; then that is said."""
+        text = next(filter(None, map(self._in_use, names)), "")
+        if text:
+            self.said.emit(text, Level.WARNING)
+        return bool(text)
 
     def _on_refused(self, text: str) -> None:
         # it may be refused because the library is another than the operator sees

@@ -127,7 +127,7 @@ class LibraryPage(Page):
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
         self._message = named("library_message", MessageLine(keeps_room=False))
-        self._actions = LibraryActions(self._work, self.editors.__contains__, self)
+        self._actions = LibraryActions(self._work, self._in_use, self)
         self._folder_bar = FolderBar(self._actions, self._name_bar, self.chosen, self)
         self._deleted = RecentlyDeleted(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
@@ -560,6 +560,15 @@ class LibraryPage(Page):
             self.refresh()  # somebody else may have taken the name
 
         self._actions.create(name, made, refused)
+
+    def _in_use(self, name: str) -> str:
+        """Return why a trajectory keeps its name and place now; empty if nothing keeps it."""
+        player, text = self._controller.player, ""
+        if name in self.editors:
+            text = self.tr("“{name}” is open. Close its window first.")
+        elif player.running and player.progress.name == name:
+            text = self.tr("“{name}” is running. End the run first.")
+        return text.format(name=name)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]
