@@ -4,6 +4,7 @@ import errno
 
 import can
 import pytest
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
@@ -152,12 +153,29 @@ def test_an_obstacle_stands_beside_it_and_its_end_is_told_as_long(running, width
     assert not rect_in_window(button).intersects(rect_in_window(strip(running)))
     # put away, it would slide the button of the obstacle under the pointer
     assert not running.driver.find("run_close").isVisible()
+    running.driver.click(running.driver.find("recovery_text"))
+    assert strip(running).isVisible()
     running.driver.hold_button(button)
     running.driver.run(1.0)
     running.driver.click("recovery_button")
     running.driver.run(2.0)
     assert running.driver.find("run_close").isVisible()
     assert not running.driver.find("recovery_line").isVisible()
+
+
+def test_beside_an_obstacle_it_goes_after_a_while_when_nothing_slides_under_the_pointer(running):
+    running.driver.controller.player.stop()
+    running.driver.run_until(lambda: not running.driver.controller.player.running)
+    running.driver.controller.step_changed.emit(
+        Step(StepKind.UNDERVOLTAGE, Level.WARNING, {"joints": "2"})
+    )
+    line = strip(running)
+    assert line.isVisible()
+    row = line.parentWidget()
+    for under, seen in ((True, True), (False, False)):
+        row.setAttribute(Qt.WidgetAttribute.WA_UnderMouse, under)
+        line._ends.timeout.emit()
+        assert line.isVisible() == seen
 
 
 def test_the_buttons_of_the_run_keep_their_places_beside_an_obstacle(running):

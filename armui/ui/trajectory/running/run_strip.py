@@ -97,7 +97,7 @@ class RunStrip(HasActs, Translated, QWidget):
         self._told = QWidget()
         self._beside = False
         self._ends = QTimer(self, singleShot=True, interval=END_MS)
-        self._ends.timeout.connect(self.hide)
+        self._ends.timeout.connect(self._on_told)
         self._tells_end = False
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
@@ -162,6 +162,8 @@ class RunStrip(HasActs, Translated, QWidget):
         if self.isHidden() and self._runner.running:
             self._refusal = None
             self.show()
+        elif progress.phase is RunPhase.IDLE:
+            self.hide()
         elif self.isVisible():
             self._show(progress)
 
@@ -180,18 +182,20 @@ class RunStrip(HasActs, Translated, QWidget):
         RunStrip._pause.show(self)
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
-        # beside an obstacle its end stays told: put away, it would slide the obstacle's button
-        # under the pointer
         self._close.setVisible(not running and not self._beside)
         self._told.setVisible(not (running and self._beside))
         self._told.setMaximumWidth(_LEAST_PX if self._beside else _UNBOUNDED_PX)
         self._told.setMinimumWidth(_LEAST_PX if self._beside else 0)
         self._bar.setVisible(not self._beside)
-        self._tell_end(wanted=self.isVisible() and self._close.isVisible())
+        self._tell_end(wanted=self.isVisible() and not running)
         self.update()
 
     def _tell_end(self, *, wanted: bool) -> None:
-        """Begin to tell the end of a run, which goes by itself or at the first press anywhere."""
+        """Begin to tell the end of a run, which goes by itself or at the first press anywhere.
+
+        Beside an obstacle no press puts it away, which would slide the obstacle's button under the
+        pointer.
+        """
         app = QApplication.instance()
         if wanted == self._tells_end or app is None:
             return
@@ -204,10 +208,18 @@ class RunStrip(HasActs, Translated, QWidget):
         if self._runner.progress.phase is not RunPhase.FAILED:
             self._ends.start()
 
+    def _on_told(self) -> None:
+        row = self.parentWidget()
+        if self._beside and row is not None and row.underMouse():
+            self._ends.start()
+        else:
+            self.hide()
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Go at a press, which reaches what it was meant for."""
         # to ask every event of the program for its type would take Python ten times as long
-        if isinstance(event, QMouseEvent | QKeyEvent) and event.type() in _PRESSES:
+        pressed = isinstance(event, QMouseEvent | QKeyEvent) and event.type() in _PRESSES
+        if pressed and not self._beside:
             QTimer.singleShot(0, self, self.hide)
         return super().eventFilter(watched, event)
 
