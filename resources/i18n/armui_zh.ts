@@ -5065,8 +5065,8 @@
         <translation>第 {row} 个采样（{seconds} s）：{text}</translation>
     </message>
     <message>
-        <source>{text} A recording has no points: trim it, or save it as points first.</source>
-        <translation>{text}录制没有轨迹点：请裁剪，或先存为轨迹点。</translation>
+        <source>{text} For that, save the recording as points first; or trim it.</source>
+        <translation>{text}为此请先存为轨迹点，或裁剪。</translation>
     </message>
     <message>
         <source>✕ Error</source>
@@ -7512,8 +7512,8 @@ at 100 %</source>
         <translation>正在读取 {names}…</translation>
     </message>
     <message>
-        <source>The arm cannot run “{name}”, row {row}: {reason}</source>
-        <translation>机械臂无法运行“{name}”，第 {row} 行：{reason}</translation>
+        <source>The arm cannot run “{name}”. {reason}</source>
+        <translation>机械臂无法运行“{name}”。{reason}</translation>
     </message>
     <message>
         <source>And {count} more. Open it and press Check to see them.</source>

@@ -38,7 +38,7 @@ from armui.trajectory.points.program import GripperOpening, Waypoint, check_poin
 from armui.ui import words
 from armui.ui.translation import LANGUAGES, Language, Translator
 from armui.ui.words.events import notice_text
-from armui.ui.words.text import sentence
+from armui.ui.words.text import joined, sentence
 from tests.each import check_each
 from tests.translations import Constant, constants
 
@@ -385,3 +385,8 @@ def test_saved_settings_are_named() -> None:
     level = " ".join(f"collision_level.{joint}" for joint in range(1, 7))
     assert said(count=6, settings=level).endswith("J4 Collision level, +2")
     assert said(count=6).endswith(": 6")  # a file of an older version
+
+
+def test_after_a_wide_full_stop_there_is_no_space():
+    assert joined("故障仍在。", "", "请检查。") == "故障仍在。请检查。"
+    assert joined("It is there still.", "Check it.") == "It is there still. Check it."

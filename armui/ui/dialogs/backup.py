@@ -50,7 +50,7 @@ from armui.ui.words.parameters import (
     value_text,
     verdict_word,
 )
-from armui.ui.words.text import said
+from armui.ui.words.text import joined, said
 
 BACKUP_NOTHING_READ = Reason(
     "backup_nothing_read", "Nothing has been read from the arm. Press Read first."
@@ -137,7 +137,7 @@ def saved_text(path: Path, count: int, missing: int) -> Said:
         rest = QCoreApplication.translate(
             "BackupDialog", "{missing} could not be read from the arm and are not in the file."
         )
-        text = f"{text} {rest}"
+        text = joined(text, rest)
     text = text.format(count=count, path=path, missing=missing)
     return text, Level.WARNING if missing > 0 else Level.DONE
 
@@ -158,7 +158,7 @@ def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
         "BackupDialog", "{failed} of {count} parameters were not restored."
     )
     text = text.format(failed=len(failed), count=count)
-    return f"{text} {words.why_not(failed[0])}".rstrip(), Level.FAULT
+    return joined(text, words.why_not(failed[0])), Level.FAULT
 
 
 _Column = ViewColumn[Callable[["BackupModel", ComparisonRow], str]]

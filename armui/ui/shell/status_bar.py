@@ -33,6 +33,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -121,9 +122,8 @@ class FailureLine(HasActs, Translated, QWidget):
             )
         text = text.format(error=self._failure.error)
         if self._failure.count > 1:
-            text += " " + self.tr("It has happened {count} times.").format(
-                count=self._failure.count
-            )
+            times = self.tr("It has happened {count} times.").format(count=self._failure.count)
+            text = joined(text, times)
         self._message.show_message(text, Level.FAULT)
 
     def retranslate_ui(self) -> None:

@@ -46,6 +46,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -192,10 +193,10 @@ def remarks_text(report: dict[str, Any]) -> list[str]:
     )
     if report["not_understood"]:
         text = translate("ExportDialog", "{count:,} of them do not belong to the arm.")
-        line += " " + text.format(count=report["not_understood"])
+        line = joined(line, text.format(count=report["not_understood"]))
     if report["questions"]:
         text = translate("ExportDialog", "{count:,} are questions of this program or another host.")
-        line += " " + text.format(count=report["questions"])
+        line = joined(line, text.format(count=report["questions"]))
     lines.append(line)
     return lines
 

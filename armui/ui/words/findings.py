@@ -14,7 +14,7 @@ _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text
 _ROW: Final = Text("FindingsPane", "Row {row}: {text}")
 _SAMPLE: Final = Text("FindingsPane", "Sample {row}, at {seconds} s: {text}")
 _RECORDED: Final = Text(
-    "FindingsPane", "{text} A recording has no points: trim it, or save it as points first."
+    "FindingsPane", "{text} For that, save the recording as points first; or trim it."
 )
 _KINDS: Final = {
     Severity.ERROR: Text("FindingsPane", "✕ Error"),
@@ -47,14 +47,19 @@ def finding(found: Finding) -> str:
 
 
 def finding_line(found: Finding) -> str:
-    """Return a finding with its weight and its row."""
+    """Return a finding with its weight and its place."""
+    return f"{_KINDS[found.severity].text()} · {placed_finding(found)}"
+
+
+def placed_finding(found: Finding) -> str:
+    """Return a finding with its row, or of a recording its sample."""
     text = finding(found)
     if found.at_s is not None and found.severity is Severity.ERROR:
         text = _RECORDED.text().format(text=text)
-    if found.row is not None:
-        where = _ROW if found.at_s is None else _SAMPLE
-        text = where.text().format(row=found.row + 1, seconds=found.at_s, text=text)
-    return f"{_KINDS[found.severity].text()} · {text}"
+    if found.row is None:
+        return text
+    where = _ROW if found.at_s is None else _SAMPLE
+    return where.text().format(row=found.row + 1, seconds=found.at_s, text=text)
 
 
 def _text(value: float | str) -> str:

@@ -10,7 +10,7 @@ from armui.ui.words import arm
 from armui.ui.words.arm import held_target, other_mode
 from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
 from armui.ui.words.refusals import refusal, under_way
-from armui.ui.words.text import Text, said, sentence
+from armui.ui.words.text import Text, joined, said, sentence
 
 _STREAM: Final = Text("RecoveryStep", "{frames}, {rate} frames/s")
 _LOCKED: Final = Text("RecoveryStep", "Motion is locked: {obstacle}")
@@ -28,7 +28,7 @@ def step_texts(this: Step) -> tuple[str, ...]:
     if this.motion is None or not (moves := uncommanded_motion(this.motion)):
         return text, *shorter
     short = uncommanded_motion_short(this.motion)
-    return f"{moves} {text}", f"{short}. {text}", moves, short
+    return joined(moves, text), f"{short}. {text}", moves, short
 
 
 def _obstacle(this: Step) -> tuple[str, ...]:
@@ -57,7 +57,7 @@ def _obstacle(this: Step) -> tuple[str, ...]:
     )
     if this.locked and this.kind in ARM_FAULTS:
         text = _LOCKED.text().format(obstacle=text)
-    return text if this.failed is None else f"{refusal(this.failed)} {text}", *shorter
+    return text if this.failed is None else joined(refusal(this.failed), text), *shorter
 
 
 def step_action(action: Action) -> str:

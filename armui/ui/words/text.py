@@ -41,6 +41,11 @@ def listed(items: Iterable[str]) -> str:
     return QCoreApplication.translate("List", ", ").join(items)
 
 
+def joined(*sentences: str) -> str:
+    """Return sentences one after another; there is no space after the wide full stop of Chinese."""
+    return " ".join(filter(None, sentences)).replace("。 ", "。")
+
+
 class _Figures(dict[str, str]):
     """The figures of one sentence as text; one that is missing shows as not known."""
 

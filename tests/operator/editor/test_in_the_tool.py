@@ -77,8 +77,10 @@ def test_another_tool_changes_figures_at_once_and_no_point(editor):
     assert editor.window.document.saved
     editor.click("editor_check")
     assert len(editor.app_driver.program.view._state.preview.path.places_mm)
+    editor.window.model.show_faults({1: True})
     choose_tool(editor, replace(BENCH, tools=(LONG,)))  # the check was made with the other one
     assert not len(editor.app_driver.program.view._state.preview.path.places_mm)
+    assert editor.window.model.headerData(1, Qt.Orientation.Vertical) == "2"
 
 
 def test_a_tool_that_is_not_confirmed_shows_nothing(editor):

@@ -254,7 +254,7 @@ def test_what_the_arm_cannot_run_is_told_once_it_is_imported(operator):
     operator.open(line=ANGLES + "20 220 -40 10 20 15\n")
     operator.take()
     assert operator.told() == (
-        "Imported: line\nThe arm cannot run “line”, row 3: Joint 2 would be at 220°, beyond its "
+        "Imported: line\nThe arm cannot run “line”. Row 3: Joint 2 would be at 220°, beyond its "
         "limits 0° to 180°. Change the point."
     )
 

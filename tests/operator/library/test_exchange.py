@@ -318,7 +318,7 @@ def test_what_the_arm_cannot_run_is_imported_in_amber_with_joint_figure_and_reme
 ):
     brought(driver, beyond_file(tmp_path, "high", 40.0, 220.0))
     assert driver.message() == (
-        "Imported: high\nThe arm cannot run “high”, row 2: Joint 2 would be at 220°, beyond its "
+        "Imported: high\nThe arm cannot run “high”. Row 2: Joint 2 would be at 220°, beyond its "
         "limits 0° to 180°. Change the point."
     )
     assert driver.child("message")._level is Level.WARNING
@@ -341,9 +341,9 @@ def test_of_many_beyond_the_first_are_told_and_the_report_stays(driver, tmp_path
     said = driver.message().splitlines()
     assert said[0] == "Imported: a, b"
     assert [line.split(":")[0] for line in said[1:4]] == [
-        "The arm cannot run “a”, row 1",
-        "The arm cannot run “a”, row 3",
-        "The arm cannot run “b”, row 2",
+        "The arm cannot run “a”. Row 1",
+        "The arm cannot run “a”. Row 3",
+        "The arm cannot run “b”. Row 2",
     ]
     assert said[4:] == ["And 1 more. Open it and press Check to see them."]
     assert driver.child("report").isVisible()

@@ -33,7 +33,7 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column
 from armui.ui.widgets.text_label import ValueLabel
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.words.text import Text
+from armui.ui.words.text import Text, joined
 
 if TYPE_CHECKING:
     from armui.settings import SettingsStore
@@ -165,7 +165,7 @@ class JointRow(TargetRow):
             read if self._limits_read else self.tr("Factory limits: not read from the arm yet.")
         )
         for widget in (self.field, self.slider):
-            widget.setToolTip(f"{target} {origin}")
+            widget.setToolTip(joined(target, origin))
 
 
 class MotionPanel(JogPanel):

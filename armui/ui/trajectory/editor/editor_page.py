@@ -456,7 +456,6 @@ class EditorPage(Page):
             self.model.show_cell(cell)
         points = self.document.points
         if _named_by(points, cell) != _named_by(points, before):
-            self.model.show_faults({})
             self._forget_check()
 
     def _show_tool(self, tool: Values, name: str) -> None:
@@ -472,6 +471,7 @@ class EditorPage(Page):
             self._say(text, Level.WARNING)
 
     def _forget_check(self) -> None:
+        self.model.show_faults({})
         self._findings.clear()
         self._run_bar.drop_check()
         self._show_count()

@@ -21,6 +21,7 @@ from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.findings import finding_line
+from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -149,9 +150,9 @@ class FindingsPane(HasActs, Translated, QWidget):
             title = self.tr("Check: nothing found.")
         if self._moved:
             moved = self.tr("The arm has moved since: its way to the first point is not checked.")
-            title = f"{title} {moved}"
+            title = joined(title, moved)
         if (waits := checked.basis.unconfirmed) is not None:
-            title = f"{title} {self._why_less(waits)}"
+            title = joined(title, self._why_less(waits))
         self._title.setText(title)
         for finding in findings[:_MOST]:
             self._list.addItem(self._item(finding))

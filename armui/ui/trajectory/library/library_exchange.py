@@ -39,7 +39,7 @@ from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.layouts import STRETCH, fill
 from armui.ui.widgets.table_model import plain_table
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.findings import finding as finding_text
+from armui.ui.words.findings import placed_finding
 
 _PATTERNS: Final = "*.armui *.log *.csv *.json *.jsonl *.npz *.ppr *.tsv *.txt *.yaml *.yml"
 
@@ -409,11 +409,8 @@ class LibraryExchange(HasActs, QObject):
             self._offer_report(results)
 
     def _tell_beyond(self, told: Callable[[], str], beyond: Sequence[tuple[str, Finding]]) -> str:
-        text = self.tr("The arm cannot run “{name}”, row {row}: {reason}")
-        lines = [
-            text.format(name=name, row=(found.row or 0) + 1, reason=finding_text(found))
-            for name, found in beyond
-        ]
+        text = self.tr("The arm cannot run “{name}”. {reason}")
+        lines = [text.format(name=name, reason=placed_finding(found)) for name, found in beyond]
         rest = self.tr("And {count} more. Open it and press Check to see them.")
         return "\n".join([told(), *_problem_lines(lines, "{reason}", rest)])
 

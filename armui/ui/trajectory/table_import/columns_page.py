@@ -34,6 +34,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import joined
 
 
 class TableImport(QThread):
@@ -280,7 +281,7 @@ class ColumnsPage(Page):
             return self._misread
         reason = columns.check_mapping(self.mapping)
         if reason is not None and reason.reason == COLUMNS_MISSING:
-            return f"{words.refusal(reason)} {self._other_way()}"
+            return joined(words.refusal(reason), self._other_way())
         reason = reason or check_name(self._name.text().strip())
         if reason is not None:
             return words.refusal(reason)

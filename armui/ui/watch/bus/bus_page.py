@@ -37,6 +37,7 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.table_model import Index, chosen_rows
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -263,7 +264,7 @@ class BusSummary(Translated, QWidget):
                     late=fmt.count(snapshot.left_out), more=fmt.count(snapshot.beyond), rows=rows
                 )
             )
-        trouble = " ".join(found), level
+        trouble = joined(*found), level
         if trouble != self._trouble:
             self._trouble = trouble
             self.message.show_message(*trouble)

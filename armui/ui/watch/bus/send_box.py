@@ -20,6 +20,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.frames import frame_effect
+from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QHideEvent
@@ -205,7 +206,7 @@ class SendBox(HasActs, Translated, QWidget):
         text = frame_effect(effect)
         if self._sent:
             sent = self.tr("Sent: {frame}.").format(frame=self._sent)
-            text = f"{sent} {text}"
+            text = joined(sent, text)
         if effect is FrameEffect.HARMLESS:
             return text, Level.INFO
         return text, Level.FAULT if effect in _GRAVE else Level.WARNING

@@ -33,7 +33,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import told
+from armui.ui.words.text import joined, told
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -382,7 +382,7 @@ class ReplayWindow(ArmDialog):
                     "“Protocol” if you know."
                 )
             )
-        return " ".join(parts)
+        return joined(*parts)
 
     def _tell_oddities(self, session: Session) -> None:
         if self._oddities(session):
