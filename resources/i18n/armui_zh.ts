@@ -5722,8 +5722,8 @@ Z 轴指向 {direction}</translation>
         <translation>未选择坐标系。请添加，或在上方选择。</translation>
     </message>
     <message>
-        <source>Press Add for a further frame, or Apply to rename the chosen one.</source>
-        <translation>按“添加”新增一个坐标系，或按“应用”给所选坐标系改名。</translation>
+        <source>Press Add for a further frame, or Apply: the chosen one gets these.</source>
+        <translation>按“添加”新增一个坐标系，或按“应用”把这个名称和数值给所选坐标系。</translation>
     </message>
     <message>
         <source>Press Apply: the frame moves, and what belongs to it moves with it.</source>
@@ -6432,12 +6432,12 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>把工件的负载告知机械臂</translation>
     </message>
     <message>
-        <source>In the gripper: {mass} kg. The arm carries {most} kg at most.</source>
-        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
+        <source>Put down</source>
+        <translation>已放下</translation>
     </message>
     <message>
-        <source>The gripper holds “{name}”: it counts in every check until Let go.</source>
-        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
+        <source>In the gripper: {mass} kg. The arm carries {most} kg at most.</source>
+        <translation>夹持：{mass} kg。机械臂最多承载 {most} kg。</translation>
     </message>
     <message>
         <source>— (a new one)</source>
@@ -6462,10 +6462,6 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Deletes the chosen object.</source>
         <translation>删除所选的工件。</translation>
-    </message>
-    <message>
-        <source>Let go</source>
-        <translation>已放下</translation>
     </message>
     <message>
         <source>It is held</source>
@@ -6518,6 +6514,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>按“应用”使新数值生效。</translation>
+    </message>
+    <message>
+        <source>The gripper holds “{name}”: it counts in every check until Put down.</source>
+        <translation>夹爪夹着“{name}”：按“已放下”之前它计入每一次检查。</translation>
     </message>
     <message>
         <source>Press Add. It counts as soon as it is marked as held.</source>
@@ -16119,6 +16119,10 @@ Before: {before}</source>
         <translation>删除工具</translation>
     </message>
     <message>
+        <source>Press Add for a further tool, or Apply: the chosen one gets these.</source>
+        <translation>按“添加”另加一个工具，或按“应用”把这个名称和数值给所选工具。</translation>
+    </message>
+    <message>
         <source>Radius of the tool&apos;s capsule</source>
         <translation>工具胶囊体的半径</translation>
     </message>
@@ -16165,10 +16169,6 @@ Before: {before}</source>
     <message>
         <source>Apply the figures of the tool</source>
         <translation>应用工具的数值</translation>
-    </message>
-    <message>
-        <source>Press Add for a further tool, or Apply to rename the chosen one.</source>
-        <translation>按“添加”另加一个工具，或按“应用”为所选工具改名。</translation>
     </message>
     <message>
         <source>Checks see a capsule from the flange to the tip, {length} mm long.</source>

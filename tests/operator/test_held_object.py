@@ -51,7 +51,7 @@ def test_it_is_added_held_and_let_go_of_by_presses(panel):
     panel.click("cell_held_delete")
     assert "“cube” is marked as held" in panel.read("cell_message")
     assert cells.cell.held_object == CUBE
-    assert panel.find("cell_hold").text() == "Let go"
+    assert panel.find("cell_hold").text() == "Put down"
     panel.click("cell_hold")
     assert (cells.cell.held, cells.held_shape) == ("", None)
 

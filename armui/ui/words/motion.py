@@ -98,4 +98,5 @@ def _figures(motion: UncommandedMotion) -> dict[str, object]:
     long = motion.seconds >= _MINUTE_S
     count = motion.seconds // _MINUTE_S if long else motion.seconds
     ago = _AGO.text("min" if long else "s", {"count": count})
-    return motion.figures() | {"below": what_is_below(motion.below), "ago": ago}
+    lasted = {"seconds": motion.seconds or "< 1"}
+    return motion.figures() | lasted | {"below": what_is_below(motion.below), "ago": ago}

@@ -81,7 +81,7 @@ class FramesTab(ForceTab):
         if self._fixed() and not new:
             return self._fixed()
         if new:
-            return self.tr("Press Add for a further frame, or Apply to rename the chosen one.")
+            return self.tr("Press Add for a further frame, or Apply: the chosen one gets these.")
         if self._thing is None:
             return self.tr(
                 "Press By three points, or type a name and the frame's pose in the base, then "

@@ -176,7 +176,7 @@ class HeldTab(NamedTab):
 
     @hold.text
     def _hold_text(self) -> str:
-        return self.tr("Let go") if self._cell.held else self.tr("It is held")
+        return self.tr("Put down") if self._cell.held else self.tr("It is held")
 
     @hold.tip
     def _hold_use(self) -> str:
@@ -216,7 +216,7 @@ class HeldTab(NamedTab):
             return self.tr("Press Apply to put the new figures in force.")
         if held:
             return self.tr(
-                "The gripper holds “{name}”: it counts in every check until Let go."
+                "The gripper holds “{name}”: it counts in every check until Put down."
             ).format(name=held)
         if new:
             return self.tr("Press Add. It counts as soon as it is marked as held.")

@@ -66,7 +66,7 @@ class ToolsTab(ForceTab):
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if new:
-            return self.tr("Press Add for a further tool, or Apply to rename the chosen one.")
+            return self.tr("Press Add for a further tool, or Apply: the chosen one gets these.")
         if self._thing is None:
             return self.tr("Type a name for the tool and what is known of it, then press Add.")
         if changed:
