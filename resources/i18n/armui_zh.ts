@@ -11315,8 +11315,8 @@ The other program must have ended.</source>
         <translation>正在打开设备。</translation>
     </message>
     <message>
-        <source>The CAN device is gone. Plug it in again, or choose another one.</source>
-        <translation>CAN 设备已断开。请重新插好，或选择其他设备。</translation>
+        <source>The CAN device is gone: cut the arm&apos;s power if it moves.</source>
+        <translation>CAN 设备已断开：若机械臂在运动，请切断其电源。</translation>
     </message>
     <message>
         <source>The arm is a teaching input: it sends commands and obeys none. Hold it: as a motion output again its six motors hold it under power, or let it drop.</source>
@@ -11501,6 +11501,10 @@ The other program must have ended.</source>
     <message>
         <source>No arm is connected. Connect one, or the simulated arm to try everything out.</source>
         <translation>未连接机械臂。请连接机械臂，或先用仿真机械臂试用全部功能。</translation>
+    </message>
+    <message>
+        <source>The CAN device is gone: no stop reaches the arm. Cut its power if it moves. Plug the device in again, or choose another one.</source>
+        <translation>CAN 设备已断开，停止指令到不了机械臂：若它在运动，请切断其电源。请重新插好设备，或选择其他设备。</translation>
     </message>
     <message>
         <source>Emergency stop. Support the arm: its release cuts the power and it drops.</source>

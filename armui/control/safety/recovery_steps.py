@@ -149,7 +149,11 @@ class StepKind(enum.Enum):
     )
     OPENING = StepText("opening", "The device is being opened.")
     DEVICE_LOST = StepText(
-        "device_lost", "The CAN device is gone. Plug it in again, or choose another one."
+        "device_lost",
+        "The CAN device is gone: no stop reaches the arm. Cut its power if it moves. Plug the "
+        "device in again, or choose another one.",
+        "",
+        "The CAN device is gone: cut the arm's power if it moves.",
     )
     STOP_WAITS_FOR_DEVICE = StepText(
         "stop_waits_for_device",
