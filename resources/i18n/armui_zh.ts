@@ -11611,6 +11611,10 @@ The other program must have ended.</source>
         <translation>{frames}，{rate} 帧/秒</translation>
     </message>
     <message>
+        <source>{does}. {text}</source>
+        <translation>{does}。{text}</translation>
+    </message>
+    <message>
         <source>Motion is locked: {obstacle}</source>
         <translation>运动已锁定：{obstacle}</translation>
     </message>

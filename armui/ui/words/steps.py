@@ -13,6 +13,7 @@ from armui.ui.words.refusals import refusal, under_way
 from armui.ui.words.text import Text, joined, said, sentence
 
 _STREAM: Final = Text("RecoveryStep", "{frames}, {rate} frames/s")
+_BRIEFLY: Final = Text("RecoveryStep", "{does}. {text}")
 _LOCKED: Final = Text("RecoveryStep", "Motion is locked: {obstacle}")
 """What precedes a fault with which the arm takes no motion."""
 
@@ -28,7 +29,8 @@ def step_texts(this: Step) -> tuple[str, ...]:
     if this.motion is None or not (moves := uncommanded_motion(this.motion)):
         return text, *shorter
     short = uncommanded_motion_short(this.motion)
-    return joined(moves, text), f"{short}. {text}", moves, short
+    briefly = (_BRIEFLY.text().format(does=short, text=each) for each in (text, *shorter))
+    return joined(moves, text), *briefly, moves, short
 
 
 def _obstacle(this: Step) -> tuple[str, ...]:
