@@ -12260,10 +12260,6 @@ The other program must have ended.</source>
         <translation>现在没有收到全部关节角度。请等待 6 个关节的角度都显示出来且不变灰。</translation>
     </message>
     <message>
-        <source>The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold the arm, Release.</source>
-        <translation>机械臂状态：{status}。请先排除原因；若状态仍在，请按“急停”，扶住机械臂，再解除急停。</translation>
-    </message>
-    <message>
         <source>No log is being written, in which an episode could be marked. Start a log.</source>
         <translation>现在没有在写日志，无处标记片段。请先开始日志。</translation>
     </message>
@@ -12350,6 +12346,10 @@ The other program must have ended.</source>
     <message>
         <source>No point of “{name}” is saved, and what is not saved does not run. Open it and save it.</source>
         <translation>“{name}”没有已保存的轨迹点，未保存的内容不能执行。请打开并保存。</translation>
+    </message>
+    <message>
+        <source>The arm reports: {status}. The line above the panels says what helps.</source>
+        <translation>机械臂报告：{status}。面板上方的提示行给出处理办法。</translation>
     </message>
     <message>
         <source>The arm has answered, but the fault is still there.</source>
@@ -12630,6 +12630,10 @@ The other program must have ended.</source>
     <message>
         <source>Robot description: the mesh {mesh} holds no surface. Export it again.</source>
         <translation>机器人模型：网格文件 {mesh} 中没有任何表面。请重新导出。</translation>
+    </message>
+    <message>
+        <source>The arm reported: {status}.</source>
+        <translation>机械臂曾报告：{status}。</translation>
     </message>
     <message>
         <source>Not possible now: {reason}.</source>
@@ -13306,6 +13310,10 @@ The other program must have ended.</source>
     <message>
         <source>“{name}” is still being written. Stop the log first.</source>
         <translation>“{name}”仍在写入。请先停止日志。</translation>
+    </message>
+    <message>
+        <source>“{name}” is open in the replay window. Close that window first.</source>
+        <translation>“{name}”正在回放窗口中打开，请先关闭该窗口。</translation>
     </message>
     <message>
         <source>Robot description: meshes like {mesh} are not supported. Supported kinds: {kinds}.</source>

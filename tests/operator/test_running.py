@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QListWidget, QSpinBox,
 from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
 from armui.protocol.codes import MoveMode
+from armui.sim.faults.schedule import fault
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
@@ -289,6 +290,30 @@ def test_errors_of_the_check_are_not_run(app_driver):
     QTest.mouseClick(findings.viewport(), Qt.MouseButton.LeftButton, pos=place)
     assert operator.window.table.current_row() == 1
     assert operator.window.model.headerData(1, Qt.Orientation.Vertical) == "✕ 2"
+
+
+@pytest.mark.parametrize("begun", [True, False])
+def test_a_fault_that_is_over_is_not_told_as_there(app_driver, begun):
+    operator = Operator(app_driver, to((0.0, 60.0, -60.0, 0.0, 20.0, 100.0)))
+    push = fault("collision", 2)
+    operator.click("run_send")
+    app_driver.run(0.2)
+    if begun:
+        operator.click("accept_warnings")
+        app_driver.run_until(lambda: operator.progress.phase is RunPhase.MOVING)
+    app_driver.node.faults.start(push)
+    app_driver.run(0.5)
+    if begun:
+        assert operator.text("editor_message").startswith("Ended at row 1. The arm reported: ")
+    else:
+        operator.click("accept_warnings")
+        assert operator.text("editor_message").startswith("The arm reports: ")
+    assert "emergency stop" not in operator.text("editor_message")
+    app_driver.node.faults.end(push)
+    app_driver.run(0.1)
+    accepted(app_driver.controller.joint_errors.clear(2))
+    app_driver.run(1.0)
+    assert "The arm reports" not in operator.child("editor_message").text()
 
 
 def test_beside_a_question_no_other_button_is_lit(app_driver):

@@ -13,6 +13,7 @@ from armui.session.recording.recorded_session import RecordedSession
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.watch.recordings.recording_card import moment_text
 from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
+from armui.ui.watch.replay.replay_window import ReplayWindow
 
 
 @pytest.fixture
@@ -136,6 +137,22 @@ def test_a_recording_is_deleted_into_a_folder_from_which_it_can_come_back(sessio
     assert str(sessions.folder / "deleted") in sessions.said()
     (kept,) = sessions.folder.glob(f"deleted/*/{name}.blf")
     assert RecordedSession(kept).frames > 0
+
+
+def test_what_is_being_replayed_stays_where_it_is(sessions):
+    sessions.record()
+    (name,) = sessions.names()
+    sessions.window.table.selectRow(0)
+    sessions.driver.click(sessions.window.open_button)
+    replay = sessions.driver.dialog(ReplayWindow)
+    sessions.driver.click(sessions.window.delete_button)
+    assert sessions.said().endswith("is open in the replay window. Close that window first.")
+    sessions.window._rename(name, "other")
+    assert sessions.said().endswith("is open in the replay window. Close that window first.")
+    assert (sessions.folder / f"{name}.blf").exists()
+    replay.close()
+    sessions.driver.click(sessions.window.delete_button)
+    sessions.until(lambda: sessions.names() == [])
 
 
 def test_what_is_being_written_can_be_opened_but_not_moved(sessions):

@@ -37,8 +37,7 @@ OTHER_CONTROL = Reason(
 )
 ARM_FAULT = Reason(
     "arm_fault",
-    "The arm reports: {status}. Remove the cause. If the report stays: emergency stop, hold "
-    "the arm, Release.",
+    "The arm reports: {status}. The line above the panels says what helps.",
 )
 CONTROL_OFFSET_UNKNOWN = Reason(
     "control_offset_unknown",

@@ -188,6 +188,11 @@ class PageOpener(QObject):
         if isinstance(window, export_dialog()) and path is not None:
             window.show_log(path)
 
+    def replayed(self) -> Path | None:
+        """Return the log that is open in the window 回放, or ``None``."""
+        window = self._windows.get("replay")
+        return window.log if isinstance(window, replay_window()) and window.isVisible() else None
+
     def open_replay(self, path: Path | None = None) -> None:
         """Show the window 回放, with a log if one is given; else the operator chooses it there."""
         window = self._shown("replay")

@@ -63,7 +63,7 @@ def _new_events(pages: PageOpener) -> EventPage:
 
 
 def _new_sessions(pages: PageOpener) -> SessionsPage:
-    page = sessions_page()(pages.controller, pages.background, pages.preferences)
+    page = sessions_page()(pages.controller, pages.background, pages.preferences, pages.replayed)
     page.open_wanted.connect(pages.open_replay)
     page.other_wanted.connect(pages.open_replay)
     page.export_wanted.connect(pages.open_export)

@@ -34,7 +34,7 @@ from armui.ui.words.motion import (
     uncommanded_motion_short,
     uncommanded_motion_word,
 )
-from armui.ui.words.refusals import file_error, point_figure, refusal, why_not
+from armui.ui.words.refusals import file_error, point_figure, refusal, why_ended, why_not
 from armui.ui.words.steps import step, step_action, step_danger, step_question, step_texts
 
 __all__ = [
@@ -72,5 +72,6 @@ __all__ = [
     "uncommanded_motion",
     "uncommanded_motion_short",
     "uncommanded_motion_word",
+    "why_ended",
     "why_not",
 ]

@@ -11,17 +11,19 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.arm.parameters import KINDS, Parameter
 from armui.arm.refusal import Refusal
+from armui.control.safety.interlocks import ARM_FAULT
 from armui.setting_fields import DECLARED
 from armui.ui.words import arm
 from armui.ui.words.arm import other_mode
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.settings import setting_label
-from armui.ui.words.text import NOT_KNOWN, Texts, sentence, source_of
+from armui.ui.words.text import NOT_KNOWN, Text, Texts, sentence, source_of
 
 if TYPE_CHECKING:
     from armui.trajectory.files import TrajectoryFileError
 
 
+_REPORTED: Final = Text("Refusal", "The arm reported: {status}.")
 _UNDER_WAY: Final = Texts("UnderWay") | {
     "enabling": "enabling the motors",
     "disabling": "disabling the motors",
@@ -98,6 +100,13 @@ def refusal(reason: Refusal) -> str:
 def why_not(reason: Refusal | None) -> str:
     """Return the same, or "" for ``None``."""
     return "" if reason is None else refusal(reason)
+
+
+def why_ended(reason: Refusal | None) -> str:
+    """Return why a run ended, or "": the fault that ended it may be over by now."""
+    if reason is not None and reason.reason == ARM_FAULT:
+        return _REPORTED.text().format(status=arm.arm_status(int(reason.params["status"])))
+    return why_not(reason)
 
 
 def under_way(what: str) -> str:

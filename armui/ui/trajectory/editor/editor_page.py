@@ -191,7 +191,7 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane(controller)
-        self._plays = self._tells_run = False
+        self._plays = self._tells_run = self._tells_refusal = False
         self._ran: tuple[Progress | None, bool] = None, False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
@@ -278,6 +278,7 @@ class EditorPage(Page):
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.refused.connect(self._on_send_refused)
+        self._run_bar.obstacle_gone.connect(self._on_obstacle_gone)
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
         self._run_bar.started.connect(self._findings.note_run)
@@ -371,7 +372,12 @@ class EditorPage(Page):
 
     def _on_send_refused(self, reason: Refusal) -> None:
         self._say(partial(words.refusal, reason), Level.WARNING)
+        self._tells_refusal = True
         self.bring_into_sight(self._message)  # below findings a low window has no room for it
+
+    def _on_obstacle_gone(self) -> None:
+        if self._tells_refusal:
+            self._say("")
 
     def _on_jogged(self, refusal: Refusal | None) -> None:
         self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
@@ -576,7 +582,7 @@ class EditorPage(Page):
         if changed:
             text = self.tr("Ended at row {row} of the table as it was. {reason} {changed}")
         changed_since = words.refusal(POINTS_CHANGED_SINCE_RUN())
-        reason = words.why_not(ended.refusal)
+        reason = words.why_ended(ended.refusal)
         text = text.format(row=ended.index + 1, reason=reason, changed=changed_since)
         return " ".join(text.split())
 
@@ -703,7 +709,7 @@ class EditorPage(Page):
         self._say(text, Level.FAULT)
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_saved = self._tells_run = False
+        self._tells_saved = self._tells_run = self._tells_refusal = False
         self._message.show_message(text, level)
 
     def _on_saved_changed(self, saved: bool) -> None:

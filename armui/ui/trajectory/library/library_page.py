@@ -235,6 +235,7 @@ class LibraryPage(Page):
         self._findings.dismissed.connect(self._run_bar.drop_check)
         self._choices.asking.connect(self.run_asks)
         self._run_bar.refused.connect(self._on_run_refused)
+        self._run_bar.obstacle_gone.connect(self._on_obstacle_gone)
         self._run_bar.progressed.connect(self._on_progress)
         self._run_bar.started.connect(self._on_started)
 
@@ -520,7 +521,7 @@ class LibraryPage(Page):
             if progress.count:
                 text = self.tr("“{name}” ended at row {row}. {reason}")
             row, done = progress.index + 1, fmt.percent(100.0 * progress.done)
-            reason = words.why_not(progress.refusal)
+            reason = words.why_ended(progress.refusal)
             text = text.format(name=progress.name, row=row, done=done, reason=reason)
             self._say(text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT)
             self._tells_end = True
@@ -530,6 +531,10 @@ class LibraryPage(Page):
     def _on_run_refused(self, reason: Refusal) -> None:
         self._say(partial(words.refusal, reason), Level.WARNING)
         self._said_of = next(iter(self._chosen_names()), "")
+
+    def _on_obstacle_gone(self) -> None:
+        if self._said_of:
+            self._say("")
 
     def _on_started(self, name: str, options: RunOptions) -> None:
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)

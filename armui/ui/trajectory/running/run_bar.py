@@ -170,6 +170,7 @@ class RunBar(Translated, QWidget):
             begins it; else ``None``.
         withdrawn: The question to the operator no longer applies.
         refused: A :class:`Refusal`.
+        obstacle_gone: What the last refusal told stands in the way no more.
         progressed: A :class:`Progress`.
         started: The name of the started trajectory, and its :class:`RunOptions`.
     """
@@ -177,6 +178,7 @@ class RunBar(Translated, QWidget):
     checked = Signal(object, object)
     withdrawn = Signal()
     refused = Signal(object)
+    obstacle_gone = Signal()
     progressed = Signal(object)
     started = Signal(str, object)
 
@@ -195,6 +197,7 @@ class RunBar(Translated, QWidget):
         self._beside = tuple(beside)
         self._estimate = RunEstimate(checks, quietly, self._options, self._begins_at, self)
         self._what: object = None
+        self._obstacle: Refusal | None = None
         self._checks = checks
         self._shared = choices
         self._content = content
@@ -457,6 +460,7 @@ class RunBar(Translated, QWidget):
             self._estimate.take(checked)
             self.checked.emit(checked, request.accept if request.must_ask else None)
         elif request.state is RequestState.REFUSED:
+            self._obstacle = request.refusal if self._is_told(request.refusal) else None
             self.refused.emit(request.refusal)
         elif request.state is RequestState.GIVEN_UP and request.must_ask:
             self.withdrawn.emit()
@@ -536,8 +540,16 @@ class RunBar(Translated, QWidget):
     def _on_operating_state(self, operating_state: OperatingState) -> None:
         if operating_state.stop is not StopState.RUNNING:
             self._on_all_motion_ended()
+        if self._obstacle is not None and not self._is_told(self._obstacle):
+            self._obstacle = None
+            self.obstacle_gone.emit()
         if self.isVisible():
             self._show_usable()
+
+    def _is_told(self, reason: Refusal | None) -> bool:
+        """Return whether the arm's state still gives a reason against a run."""
+        now = why_not_run(self._controller.operating_state)
+        return now is not None and reason is not None and now.reason == reason.reason
 
     def _why_not(self) -> str:
         """Tell why nothing can be sent now; "" if it can."""

@@ -254,7 +254,8 @@ class RunStrip(HasActs, Translated, QWidget):
         if progress.percent is not None:
             parts.append(self._speed(progress.percent, progress.tool_mm_s))
         if told:
-            parts.append(words.why_not(reason))
+            over = progress.phase in OVER
+            parts.append(words.why_ended(reason) if over else words.why_not(reason))
         return " · ".join(parts)
 
     def _speed(self, percent: int, tool_mm_s: float) -> str:

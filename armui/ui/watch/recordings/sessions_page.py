@@ -60,6 +60,9 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 SESSION_IN_USE = Reason("session_in_use", "“{name}” is still being written. Stop the log first.")
+SESSION_REPLAYED = Reason(
+    "session_replayed", "“{name}” is open in the replay window. Close that window first."
+)
 
 
 ENTRY_ROLE: Final = Qt.ItemDataRole.UserRole
@@ -246,6 +249,7 @@ class SessionsPage(Page):
         controller: Has the recorder.
         background: Lists, renames and moves files.
         store: The operator's settings.
+        replayed: Returns the log that is open in the replay window, or ``None``.
 
     Signals:
         open_wanted: The path of a recording to be replayed.
@@ -282,9 +286,14 @@ class SessionsPage(Page):
     export_wanted = Signal(object)
 
     def __init__(
-        self, controller: ArmController, background: Background, store: SettingsStore
+        self,
+        controller: ArmController,
+        background: Background,
+        store: SettingsStore,
+        replayed: Callable[[], Path | None],
     ) -> None:
         super().__init__("sessions")
+        self._replayed = replayed
         self.setObjectName("sessions_page")
         self._sessions = controller.sessions
         self._background = background
@@ -462,6 +471,8 @@ class SessionsPage(Page):
         if name in self._sessions.busy_names():
             self._refuse(SESSION_IN_USE(name=name))
             return
+        if self._refuse_replayed([name]):
+            return
         job: Job[str | Refusal] = Job(self._on_renamed)
         folder = self._sessions.choices.folder
         self._background.begin_here(job, recording_files.renamed, folder, name, new_name)
@@ -478,10 +489,20 @@ class SessionsPage(Page):
     def _delete(self) -> None:
         busy = self._sessions.busy_names()
         names = tuple(each.name for each in self.chosen() if each.name not in busy)
-        if names:
+        if names and not self._refuse_replayed(names):
             job: Job[Path | Refusal] = Job(self._on_deleted)
             folder = self._sessions.choices.folder
             self._background.begin_here(job, recording_files.thrown_away, folder, names)
+
+    def _refuse_replayed(self, names: Iterable[str]) -> bool:
+        """Return whether one of these logs is open in the replay window; then that is said."""
+        path = self._replayed()
+        if path is None or path.parent != self._sessions.choices.folder:
+            return False
+        name = next((each for each in names if path.name.startswith(f"{each}.")), None)
+        if name is not None:
+            self._refuse(SESSION_REPLAYED(name=name))
+        return name is not None
 
     def _on_deleted(self, result: Path | Refusal) -> None:
         if isinstance(result, Refusal):

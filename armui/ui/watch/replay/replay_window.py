@@ -234,6 +234,11 @@ class ReplayWindow(ArmDialog):
             start=self._path,
         )
 
+    @property
+    def log(self) -> Path | None:
+        """The log that is open or being opened."""
+        return self._path
+
     def open_log(self, path: Path) -> None:
         """Open a log in place of the present one."""
         self._leave()
