@@ -15,6 +15,7 @@ from armui.protocol.codes import MoveMode
 from armui.system.paths import URDF
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.samples.recording import Recording
 from armui.ui.picture.picture_work import TrailKeeper
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_page import LibraryPage
@@ -239,6 +240,28 @@ def test_the_point_under_way_is_lit_and_the_ghost_steps_aside(at):
     assert at.shown.ghost_deg is None, "nobody has asked where the trajectory leads next"
     QTest.keyClick(app_driver.find("preview_slider"), Qt.Key.Key_End)
     assert at.shown.ghost_deg == pytest.approx(points[-1].target, abs=0.5)
+
+
+def test_the_ghost_steps_aside_for_a_recording_too_and_no_point_is_lit(app_driver):
+    app_driver.ready()
+    samples = np.array([(t_s, *OUT, 0.0) for t_s in np.arange(0.0, 2.0, 0.1)])
+    Library(app_driver.library_folder).save(Recording("taught", samples=samples))
+    app_driver.click("library_button")
+    library = app_driver.page(LibraryPage)
+    library.refresh(["taught"])
+    view = cast("ArmView", app_driver.program.view)
+    app_driver.click(library.findChild(QWidget, "run_send"))
+    assert view._state.preview.ghost_deg is not None
+    app_driver.click(library.findChild(QWidget, "accept_warnings"))
+    app_driver.run_until(lambda: app_driver.controller.replayer.running)
+    app_driver.run(0.1)
+    shown = view._state.preview
+    assert shown.path is not None
+    assert shown.ghost_deg is None
+    assert shown.current_row not in (None, *shown.path.rows)
+    app_driver.run_until(lambda: not app_driver.controller.replayer.running)
+    app_driver.run(0.1)
+    assert view._state.preview.current_row is None
 
 
 def test_a_run_of_another_trajectory_lights_nothing(at):

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
 from armui.control.run.progress import OVER
+from armui.control.run.runner import Runner
 from armui.system.atomic import write_whole
 from armui.telemetry.events import EventKind
 from armui.ui import words
@@ -212,6 +213,7 @@ class PictureWork(QObject):
     ) -> None:
         super().__init__(window)
         self._controller = controller
+        self._runner = Runner(controller, self)
         self._view = view
         self._preview = preview
         self.bar = ViewBar(view, preferences)
@@ -305,9 +307,10 @@ class PictureWork(QObject):
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)
         if self._preview.name is not None:
-            progress = self._controller.player.progress
+            progress = self._runner.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
-            self._preview.light_row(progress.index if under_way else None)
+            row = progress.index if progress.count else -1  # a recording has no point to light
+            self._preview.light_row(row if under_way else None)
 
     def _on_noticed(self, event: Event) -> None:
         """Show where a refused motion would first touch, until the next press."""

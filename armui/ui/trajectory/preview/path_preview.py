@@ -149,10 +149,7 @@ class PathPreview(QObject):
         self, number: int | None, limits_deg: tuple[float, float] = (0.0, 0.0)
     ) -> None:
         """Show the range of joint 1–6 while its cell is edited; None hides it."""
-        if number is None:
-            self._view.show_joint_range(None)
-        else:
-            self._view.show_joint_range(number, limits_deg)
+        self._view.show_joint_range(number, limits_deg)
 
     def select_row(self, row: int | None) -> None:
         """Highlight the mark of a row, and move the ghost there."""
@@ -178,7 +175,11 @@ class PathPreview(QObject):
             self._set(replace(self._shown, ghost_deg=finding.joints_deg, finding=finding))
 
     def light_row(self, row: int | None) -> None:
-        """Highlight the point to which the arm moves, without a ghost until a place is chosen."""
+        """Highlight the point to which the arm moves, without a ghost until a place is chosen.
+
+        Args:
+            row: That of the point; −1 while a recording runs, ``None`` while nothing does.
+        """
         if self._path is not None and row != self._shown.current_row:
             self._set(replace(self._shown, current_row=row, ghost_deg=None, finding=None))
 
