@@ -119,6 +119,24 @@ def test_once_through_every_point_in_order(any_driver):
     assert operator.text("run_text").endswith("done")
 
 
+@pytest.mark.styled
+def test_how_long_it_takes_is_read_whole_beside_where_it_goes_on(app_driver):
+    operator = Operator(app_driver, *(to(OUT, dwell_s=3600.0) for _ in range(12)))
+    app_driver.controller.motion.set_speed_percent(20)
+    operator.child("run_first", QSpinBox).setValue(12)
+    operator.child("run_cycles", QComboBox).setCurrentIndex(2)
+    operator.send()
+    operator.until(lambda: app_driver.controller.player.running)
+    app_driver.click("run_stop")
+    operator.until_over()
+    told = operator.child("run_effective")
+    app_driver.wait(lambda: "at 20 %" in told.text())
+    assert operator.child("run_resume").isVisible()
+    assert told.fontMetrics().horizontalAdvance(told.text()) > told.width()
+    assert told.text() not in told.toolTip(), "it is cut"
+    assert told.height() >= 2 * told.fontMetrics().lineSpacing()
+
+
 def test_so_many_times(app_driver):
     operator = Operator(app_driver, to(OUT), to(UP))
     operator.child("run_cycles", QComboBox).setCurrentIndex(1)

@@ -78,7 +78,10 @@ class ValueLabel(QWidget):
 
 
 class ElidedLabel(QLabel):
-    """One line that is shortened with «…» if it does not fit; the tooltip has the whole text."""
+    """One line that is shortened with «…» if it does not fit; the tooltip has the whole text.
+
+    Where it is high enough, what does not fit goes on in a second line from its last “·”.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -113,12 +116,16 @@ class ElidedLabel(QLabel):
         painter.end()
 
     def _elided(self) -> str:
-        width = self.contentsRect().width()
-        return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
+        metrics, room, text = self.fontMetrics(), self.contentsRect(), self.text()
+        parts = metrics.horizontalAdvance(text) > room.width()
+        parts = parts and room.height() >= 2 * metrics.lineSpacing()
+        lines = text.rsplit(" · ", 1) if parts else [text]
+        right = Qt.TextElideMode.ElideRight
+        return "\n".join(metrics.elidedText(line, right, room.width()) for line in lines)
 
     def _update_tooltip(self) -> None:
         text = self.text()
-        whole = text if self._elided() != text else ""
+        whole = text if self._elided().replace("\n", " · ") != text else ""
         self.setToolTip("\n".join(filter(None, (whole, self._tip))))
 
 

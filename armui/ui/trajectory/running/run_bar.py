@@ -383,10 +383,8 @@ class RunBar(Translated, QWidget):
     def _times_texts(self, percent: int) -> list[str]:
         """Return how long it takes: estimates, or as it was checked; empty if it is not known."""
         estimate = self._estimate
-        if estimate.seconds is None or self._steps.isChecked():
-            return []
-        if percent == 0:  # held back: without end
-            return []
+        if estimate.seconds is None or self._steps.isChecked() or percent == 0:
+            return []  # at 0 % it is held back: without end
         full = fmt.duration(estimate.seconds)
         texts = [full if estimate.is_checked else f"≈ {full}"]
         if self._cycles.currentIndex() == _LOOP:
@@ -400,9 +398,7 @@ class RunBar(Translated, QWidget):
         estimate = self._estimate
         if self._steps.isChecked():
             return self.tr("Step by step it takes as long as the operator.")
-        if estimate.is_checked or estimate.is_asked:
-            return ""
-        if self._nothing is not None or not self.isVisible():
+        if estimate.is_checked or estimate.is_asked or self._nothing or not self.isVisible():
             return ""
         return estimate_tip(known=estimate.seconds is not None, from_here=estimate.from_here)
 
@@ -488,11 +484,6 @@ class RunBar(Translated, QWidget):
         """True while something is read or checked."""
         return self._request is not None and self._request.is_busy
 
-    @property
-    def _is_asking(self) -> bool:
-        """True while the operator has to agree, by another button, to what was sent."""
-        return self._request is not None and self._request.asks
-
     def _options_to_resume(self) -> RunOptions:
         """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
         options, again = self._options(), self._again
@@ -569,7 +560,8 @@ class RunBar(Translated, QWidget):
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
-        show_primary(self._send, wanted=not (self._stands_back or self._is_asking))
+        asks = self._request is not None and self._request.asks  # by another button
+        show_primary(self._send, wanted=not (self._stands_back or asks))
         self._recolor()
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)
