@@ -55,10 +55,9 @@ def test_rows_go_one_place_up_or_down_and_not_beyond_the_ends(rows, by, expected
     assert notes(edits.shift(ABCDE, rows, by)[0]) == expected
 
 
-def test_insert_remove_duplicate():
+def test_insert_remove_change():
     assert notes(edits.insert(ABCDE, 2, [point(note="x")])) == "ABxCDE"
     assert notes(edits.remove(ABCDE, [4, 0])) == "BCD"
-    assert notes(edits.duplicate(ABCDE, [3, 1])) == "ABCDBDE"
     assert notes(edits.change(ABCDE, {1: point(note="y")})) == "AyCDE"
 
 

@@ -21,7 +21,6 @@ from armui.trajectory.planning.convert import (
 )
 from armui.trajectory.points import edits
 from armui.trajectory.points.program import (
-    POINT_NOT_WHOLE,
     POINT_OUT_OF_RANGE,
     TEXT_TOO_LONG,
     GripperOpening,
@@ -176,12 +175,6 @@ def test_find_and_replace_figures():
     assert list(edits.find_figure(points, edits.FigureQuery("J2", 70.0))) == [0, 1]
     assert list(edits.find_figure(points, edits.FigureQuery("speed", 50))) == [1]
     assert list(edits.find_figure(points, edits.FigureQuery("X", 301, 2.0))) == [2]
-    assert edits.replace_figure(points[0], "J2", 71.0).target[1] == 71.0
-    assert edits.replace_figure(points[0], "X", 71.0) is points[0]
-    assert edits.replace_figure(points[0], "speed", 20.0).speed_percent == 20
-    assert edits.replace_figure(points[0], "dwell", 2.0).dwell_s == 2.0
-    assert edits.replace_figure(points[0], "J2", 400.0).reason == POINT_OUT_OF_RANGE
-    assert edits.replace_figure(points[0], "speed", 20.5).reason == POINT_NOT_WHOLE
 
 
 def test_the_points_alone_need_no_numpy():

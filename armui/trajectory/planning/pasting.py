@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Reason, Refusal
 from armui.protocol.codes import MoveMode
 from armui.trajectory.files.errors import TrajectoryFileError
@@ -25,7 +26,11 @@ def copied(points: Sequence[Waypoint], tool: ToolPoints) -> str:
 
 
 def kept_from(
-    text: str, like: MoveMode, shown: ToolPoints, told: Values | None
+    text: str,
+    like: MoveMode,
+    shown: ToolPoints,
+    told: Values | None,
+    limits: Sequence[JointLimits],
 ) -> PastedPoints | Refusal | TrajectoryFileError:
     """Return the points in a text as they are kept, or why they are not.
 
@@ -34,9 +39,10 @@ def kept_from(
         like: The kind of motion of rows that do not name one.
         shown: The tool whose poses the table shows.
         told: The tool that the clipboard names; ``None``: its poses are of the one that is shown.
+        limits: Those of the six joints, for angles that do not come from a table of points.
     """
     try:
-        new = pasted(text, like)
+        new = pasted(text, like, limits if told is None else ())
     except TrajectoryFileError as error:
         return error
     if new.is_file:

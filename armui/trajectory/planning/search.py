@@ -6,14 +6,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.trajectory.planning.tool_points import ToolPoints
 from armui.trajectory.planning.user_frames import RowsOrRefusal
 from armui.trajectory.points import edits
-from armui.trajectory.points.cells import figure
+from armui.trajectory.points.cells import VALUES, PointColumn, edited, figure
 from armui.trajectory.points.program import POSE_NAMES, Waypoint, check_point
 
 NOTE: Final = "note"
+_COLUMNS: Final = {"speed": PointColumn.SPEED, "dwell": PointColumn.DWELL}
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,17 +26,18 @@ class Search:
         field: "note", or the name of a figure as of `edits.FigureQuery`.
         wanted: The text or figure to find, as it was typed.
         by: The text or figure that replaces it, as it was typed.
+        limits: As for `armui.trajectory.points.cells.edited`.
     """
 
     field: str
     wanted: str
     by: str = ""
+    limits: Sequence[JointLimits] = ()
 
     def rows(self, points: Sequence[Waypoint], tool: ToolPoints) -> list[int] | Refusal:
         """Return the rows that match as they are shown, or why nothing can be searched."""
         if self.field == NOTE:
-            found = edits.find_text(points, self.wanted)
-            return list(found) if self.wanted else []
+            return list(edits.find_text(points, self.wanted)) if self.wanted else []
         value = figure(self.field, self.wanted, far=True)
         if isinstance(value, Refusal):
             return value
@@ -61,10 +64,8 @@ class Search:
     def _replaced(self, point: Waypoint) -> Waypoint | Refusal:
         if self.field == NOTE:
             return edits.replace_text(point, self.wanted, self.by)
-        value = figure(self.field, self.by, far=bool(point.frame))
-        if isinstance(value, Refusal):
-            return value
-        return edits.replace_figure(point, self.field, value)
+        column = _COLUMNS.get(self.field) or PointColumn(VALUES[point.names.index(self.field)])
+        return edited(point, column, self.by, self.limits)
 
 
 def replaced_everywhere(

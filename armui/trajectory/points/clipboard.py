@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from armui.arm.limits import JointLimits, check_joints
 from armui.arm.refusal import Refusal
 from armui.protocol.codes import MoveMode
 from armui.trajectory import files
@@ -70,7 +71,9 @@ def from_text(text: str, like: MoveMode = MoveMode.MOVE_J) -> tuple[Waypoint, ..
     return pasted(text, like).points
 
 
-def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
+def pasted(
+    text: str, like: MoveMode = MoveMode.MOVE_J, limits: Sequence[JointLimits] = ()
+) -> PastedPoints:
     """Return the points in a text, and the arm they were taught on.
 
     It understands the output of :func:`to_text`, whole files of this program, lines of its ``.log``
@@ -80,6 +83,7 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
     Args:
         text: The text from the clipboard.
         like: The kind of motion of rows that do not name one.
+        limits: As for `armui.trajectory.points.cells.edited`.
 
     Raises:
         TrajectoryFileError: The text has another form; it names line and cell.
@@ -87,7 +91,8 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
     if log_file.is_log(text) or json_file.is_json(text) or csv_file.is_csv(text):
         content = files.read_text(text, "clipboard")
         if isinstance(content, Trajectory):
-            return PastedPoints(content.points, content.taught_on, is_file=True)
+            points = tuple(_within(point, 0, limits) for point in content.points)
+            return PastedPoints(points, content.taught_on, is_file=True)
         raise broken(FILE_KIND_UNKNOWN, 1)
     # not splitlines: it would part a note at signs that end no line in a spreadsheet
     numbered = enumerate(text.replace("\r\n", "\n").split("\n"), 1)
@@ -98,7 +103,14 @@ def pasted(text: str, like: MoveMode = MoveMode.MOVE_J) -> PastedPoints:
         lines = lines[1:]
     of_tool = any(line.startswith(_OF_TOOL) for _, line in lines)
     rows = ((line.removeprefix(_OF_TOOL), number) for number, line in lines)
-    return PastedPoints(tuple(_read_row(*row, like) for row in rows), of_tool=of_tool)
+    points = tuple(_within(_read_row(*row, like), row[1], limits) for row in rows)
+    return PastedPoints(points, of_tool=of_tool)
+
+
+def _within(point: Waypoint, line: int, limits: Sequence[JointLimits]) -> Waypoint:
+    if limits and point.is_joint and (beyond := check_joints(point.target, limits)):
+        raise TrajectoryFileError(beyond, line)
+    return point
 
 
 def _one_line(text: str) -> str:

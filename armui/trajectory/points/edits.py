@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from armui.arm.refusal import Refusal
-from armui.trajectory.points.program import Waypoint, check_figure, check_point
+from armui.trajectory.points.program import Waypoint, check_point
 
 Points = tuple[Waypoint, ...]
 
@@ -85,11 +85,6 @@ def chosen(points: Points, rows: Iterable[int]) -> Points:
     return tuple(points[row] for row in sorted(set(rows)))
 
 
-def duplicate(points: Points, rows: Sequence[int]) -> Points:
-    """Return the points with copies of some rows, together, after the last of them."""
-    return insert(points, max(rows) + 1, chosen(points, rows)) if rows else points
-
-
 def move(points: Points, rows: Sequence[int], before: int) -> tuple[Points, int]:
     """Move some rows, together, before another row.
 
@@ -158,22 +153,6 @@ def replace_text(point: Waypoint, text: str, by: str) -> Waypoint | Refusal:
     """Return a point with a text of its note replaced, or why the new note is refused."""
     changed = replace(point, note=point.note.replace(text, by))
     return check_point(changed) or changed
-
-
-def replace_figure(point: Waypoint, field: str, value: float) -> Waypoint | Refusal:
-    """Return a point with one figure replaced; a point without that figure is unchanged."""
-    refusal = check_figure(field, value, far=bool(point.frame))
-    if refusal is not None:
-        return refusal
-    if field == "speed":
-        return replace(point, speed_percent=int(value))
-    if field == "dwell":
-        return replace(point, dwell_s=value)
-    if field not in point.names:
-        return point
-    target = list(point.target)
-    target[point.names.index(field)] = value
-    return replace(point, target=tuple(target))
 
 
 def _figure(point: Waypoint, field: str) -> float | None:

@@ -5,7 +5,9 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QDropEvent, QGuiApplication
 from PySide6.QtWidgets import QApplication, QMenu
 
+from armui.trajectory import files
 from armui.trajectory.points.cells import PointColumn
+from armui.trajectory.points.program import Trajectory
 from tests.operator.editor.actions import ALT, BACK, CTRL, OUT, SHIFT, UP, Editor, notes, to
 from tests.operator.plots.actions import ask_for_menu, trigger
 
@@ -63,10 +65,27 @@ def test_rows_of_a_spreadsheet_are_pasted(editor):
 
 
 def test_nonsense_is_not_pasted_and_says_where_it_is(editor):
-    QGuiApplication.clipboard().setText("1\t2\t3\t4\t5\t6\n1\t2\tx\t4\t5\t6")
+    QGuiApplication.clipboard().setText("1\t2\t-3\t4\t5\t6\n1\t2\tx\t4\t5\t6")
     editor.act("paste")
     assert len(editor.points) == 3
     assert "Line 2, column 3" in editor.message()
+
+
+def test_angles_beyond_the_limits_are_pasted_only_as_a_table_has_them(editor):
+    clipboard = QGuiApplication.clipboard()
+    row = "170\t2\t-3\t4\t5\t6"
+    file = files.to_bytes(Trajectory("File", points=(to((170.0, *OUT[1:])),)), ".csv").decode()
+    for text, line in ((f"1\t2\t-3\t4\t5\t6\n{row}", "Line 2"), (file, "")):
+        clipboard.setText(text)
+        editor.act("paste")
+        assert len(editor.points) == 3
+        assert "Joint 1: 170° is beyond its limits" in editor.message()
+        assert line in editor.message()
+    editor.window.document.edit((*editor.points, to((170.0, *OUT[1:]))), "came with a file")
+    editor.choose(3)
+    editor.keys(Qt.Key.Key_C, CTRL)
+    editor.keys(Qt.Key.Key_V, CTRL)
+    assert editor.points[3:] == (editor.points[3],) * 2
 
 
 def test_a_row_is_dragged_to_the_end(editor):

@@ -51,6 +51,20 @@ def test_a_figure_is_replaced_everywhere_as_one_step(editor):
     assert [point.speed_percent for point in editor.points] == [100, 100, 100]
 
 
+def test_an_angle_beyond_the_limits_of_its_joint_replaces_none(editor):
+    editor.click("editor_find")
+    field = editor.child("find_field", QComboBox)
+    field.setCurrentIndex(field.findData("J1"))
+    before = editor.points
+    QTest.keyClicks(editor.child("find_text"), "20")
+    QTest.keyClicks(editor.child("replace_text"), "170")
+    for name in ("replace_all", "replace_one"):
+        editor.choose(0)
+        editor.click(name)
+        assert "Joint 1: 170° is beyond its limits" in editor.child("find_result").text()
+        assert editor.points is before
+
+
 # Saving -------------------------------------------------------------------------------------------
 
 

@@ -153,7 +153,7 @@ def test_in_the_editor(pages, size, language):
         def everything():
             editor._find_bar.open()
             pages.driver.click(editor.findChild(QWidget, "editor_check"))
-            editor._on_jogged(LONG[0])
+            editor._on_refused(LONG[0])
             editor._other_arm.show_arms("another arm", fit)
             controller.motion.set_speed_percent(50)
             controller.motion.set_speed_percent(100)
@@ -161,7 +161,7 @@ def test_in_the_editor(pages, size, language):
         def nothing():
             editor._find_bar.hide()
             editor._findings.clear()
-            editor._on_jogged(None)
+            editor._on_refused(None)
             editor._other_arm.show_arms("", fit)
             controller.motion.set_speed_percent(100)
             controller.motion.set_speed_percent(5)
@@ -176,7 +176,7 @@ def test_a_message_beside_the_jog_buttons_is_in_sight_whatever_is_open_above(pag
     pages.driver.click("editor_jog")
     editor._find_bar.open()
     pages.driver.click(editor.findChild(QWidget, "editor_check"))
-    editor._on_jogged(LONG[0])
+    editor._on_refused(LONG[0])
     pages.driver.run(0.1)
     message = pages.driver.find("editor_message")
     middle = message.mapTo(pages.driver.window, message.rect().center())

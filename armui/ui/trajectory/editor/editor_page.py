@@ -283,7 +283,7 @@ class EditorPage(Page):
         self._run_bar.started.connect(self._on_started)
         self._run_bar.started.connect(self._findings.note_run)
         self._jog.insert_wanted.connect(self.insert_current)
-        self._jog.refused.connect(self._on_jogged)
+        self._jog.refused.connect(self._on_refused)
         self._findings.finding_wanted.connect(self._show_finding)
         self._findings.found_changed.connect(self._mark_rows)
         self._findings.found_changed.connect(self.found_changed)
@@ -371,17 +371,16 @@ class EditorPage(Page):
         self.table.setFocus()
 
     def _on_send_refused(self, reason: Refusal) -> None:
-        self._say(partial(words.refusal, reason), Level.WARNING)
+        self._on_refused(reason)
         self._tells_refusal = True
-        self.bring_into_sight(self._message)  # below findings a low window has no room for it
 
     def _on_obstacle_gone(self) -> None:
         if self._tells_refusal:
             self._say("")
 
-    def _on_jogged(self, refusal: Refusal | None) -> None:
+    def _on_refused(self, refusal: Refusal | None) -> None:
         self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
-        if refusal is not None:
+        if refusal is not None:  # below findings a low window has no room for it
             self.bring_into_sight(self._message)
 
     def _limits(self) -> Sequence[JointLimits]:
@@ -477,8 +476,8 @@ class EditorPage(Page):
             self._say(text, Level.WARNING)
 
     def _forget_check(self) -> None:
-        self.model.show_faults({})
         self._findings.clear()
+        self.model.show_faults({})
         self._run_bar.drop_check()
         self._show_count()
         self._run_bar.renew_estimate()
@@ -640,12 +639,9 @@ class EditorPage(Page):
             return
         question = LeaveQuestion(self._controller, self, self.document.name)
         question.accepted.connect(self._leave)
-        question.save_wanted.connect(self._save_and_leave)
+        question.save_wanted.connect(partial(self.save, self._leave))
         question.finished.connect(question.deleteLater)
         question.open()
-
-    def _save_and_leave(self) -> None:
-        self.save(self._leave)
 
     def _leave(self) -> None:
         self._drafts.drop_draft()

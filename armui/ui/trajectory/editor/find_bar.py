@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -103,14 +104,11 @@ class FindBar(HasActs, Translated, QWidget):
         """What is to be found and replaced."""
         return Search(str(self._field.currentData()), self._wanted.text(), self._by.text())
 
-    def show_result(self, text: str) -> None:
-        """Show the number of matches, or that there are none."""
+    def show_result(self, result: str | Refusal) -> None:
+        """Show the number of matches, or why the search or replacement is not possible."""
+        text = words.refusal(result) if isinstance(result, Refusal) else result
         self._result.setText(text)
-
-    def show_refusal(self, reason: Refusal) -> None:
-        """Show why the search or replacement is not possible."""
-        self._result.setText(words.refusal(reason))
-        self._result.setToolTip(words.refusal(reason))
+        self._result.setToolTip(text)
 
     # Words and keys ---------------------------------------------------------------------------
 
@@ -154,7 +152,7 @@ class Finder(QObject):
     def _find(self, by: int) -> None:
         rows = self._bar.search.rows(self._document.points, self._table.points.tool)
         if isinstance(rows, Refusal):
-            self._bar.show_refusal(rows)
+            self._bar.show_result(rows)
             return
         if not rows:
             self._bar.show_result(self.tr("Not found"))
@@ -168,20 +166,18 @@ class Finder(QObject):
         )
 
     def _replace(self, everywhere: bool) -> None:
-        points, tool, search = self._document.points, self._table.points.tool, self._bar.search
+        points, tool = self._document.points, self._table.points.tool
+        search = replace(self._bar.search, limits=self._table.points.limits())
         if everywhere:
             arguments = (search, points, tool)
             edit = LongEdit(len(points), _AT_ONCE, replaced_everywhere, arguments, self._put)
             self._long_edits.begin(edit, self._show_replaced)
             return
-        rows = search.rows(points, tool)
-        if isinstance(rows, Refusal):
-            self._bar.show_refusal(rows)
-            return
-        here = [row for row in rows if row == self._table.current_row()]
-        put = self._put(search.replaced(points, here, tool))
+        rows, now = search.rows(points, tool), self._table.current_row()
+        here = rows if isinstance(rows, Refusal) else [row for row in rows if row == now]
+        put = self._put(here if isinstance(here, Refusal) else search.replaced(points, here, tool))
         if isinstance(put, Refusal):
-            self._bar.show_refusal(put)
+            self._bar.show_result(put)
         else:
             self._find(1)
 
@@ -194,7 +190,5 @@ class Finder(QObject):
         return len(changed)
 
     def _show_replaced(self, replaced: int | Refusal) -> None:
-        if isinstance(replaced, Refusal):
-            self._bar.show_refusal(replaced)
-        else:
-            self._bar.show_result(self.tr("{count} replaced").format(count=replaced))
+        text = self.tr("{count} replaced").format(count=replaced)
+        self._bar.show_result(replaced if isinstance(replaced, Refusal) else text)

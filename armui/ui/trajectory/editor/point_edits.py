@@ -175,7 +175,7 @@ class PointEdits(QObject):
         """Insert copies of the selected rows below them."""
         rows = self._table.rows()
         if not rows:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         return self._insert(rows[-1] + 1, edits.chosen(self._document.points, rows))
 
     def _insert(self, row: int, new: Sequence[Waypoint]) -> Outcome:
@@ -233,7 +233,7 @@ class PointEdits(QObject):
 
     def _remove(self, rows: Sequence[int], label: str) -> Outcome:
         if not rows:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         self._document.edit(edits.remove(self._document.points, rows), label)
         self._table.select_row(min(rows[0], len(self._document.points) - 1))
         return None
@@ -249,7 +249,7 @@ class PointEdits(QObject):
     def _shift(self, by: int) -> Outcome:
         rows = self._table.rows()
         if not rows:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         points, first = edits.shift(self._document.points, rows, by)
         if self._document.edit(points, self.tr("Move")):
             self._table.select_rows(first, len(rows))
@@ -348,7 +348,7 @@ class PointEdits(QObject):
         if isinstance(changed, Refusal):
             return changed
         if not changed:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         self._document.edit(edits.change(self._document.points, changed), label)
         return None
 
@@ -365,7 +365,7 @@ class PointEdits(QObject):
 
     def _copied(self, rows: Sequence[int], then: Callable[[], Outcome]) -> Outcome:
         if not rows:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         tool, taught_on = self._table.points.tool, self._document.taught_on
 
         def finish(text: str | Refusal) -> Outcome:
@@ -399,7 +399,7 @@ class PointEdits(QObject):
             poses = unsaid and not all(point.is_joint for point in new.points)
             return warning or (OfShownTool(named_tool) if poses else None)
 
-        arguments = text, like, tool, told
+        arguments = text, like, tool, told, shown.limits()
         return LongEdit(text.count("\n"), _PASTED_AT_ONCE, kept_from, arguments, finish)
 
     def _take_pasted(self, new: PastedPoints, arm: str, below: int) -> OfOtherArm | None:
@@ -426,7 +426,7 @@ class PointEdits(QObject):
         """Send the arm to the current point at the speed for single motions, without actions."""
         row = self._table.current_row()
         if row < 0:
-            return _no_rows()
+            return NO_ROWS_CHOSEN()
         point = self._in_frame(self._document.points[row], "")
         if isinstance(point, Refusal):
             return point
@@ -455,7 +455,3 @@ def _tool_in_clipboard() -> Values | None:
         return None
     possible = len(tool) == VALUE_COUNT and check_pose("", tool, TOOL_LONGEST_MM) is None
     return tool if possible else None
-
-
-def _no_rows() -> Refusal:
-    return NO_ROWS_CHOSEN()

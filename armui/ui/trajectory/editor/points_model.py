@@ -106,6 +106,7 @@ class PointsModel(TableModel):
         limits: Returns the limits of the six joints in force, for the angles that are entered.
 
     Attributes:
+        limits: As given.
         tool: Shows poses for the tool in force; what a point keeps is the pose of the flange.
         held_names: The names of what the hand may hold.
 
@@ -128,7 +129,7 @@ class PointsModel(TableModel):
         super().__init__(parent)
         self._document = document
         self._to_move = to_move
-        self._limits = limits
+        self.limits = limits
         self._frames: Frames = {}
         self.held_names: Sequence[str] = ()
         self.tool = ToolPoints()
@@ -184,7 +185,7 @@ class PointsModel(TableModel):
             name = point.names[column - PointColumn.VALUE_1]
             allowed = range_of(name, far=bool(point.frame))
             if point.is_joint:
-                joint = self._limits()[column - PointColumn.VALUE_1]
+                joint = self.limits()[column - PointColumn.VALUE_1]
                 allowed = Range(joint.min_deg, joint.max_deg, allowed.unit)
             return f"{name}: {allowed.minimum:g} – {allowed.maximum:g} {allowed.unit}"
         if column is PointColumn.MOVE and point.frame:
@@ -263,7 +264,7 @@ class PointsModel(TableModel):
         if column in POSES:
             if text == text_of(before := self.tool.shown(point), column):
                 return point  # as it came, even beyond the limits of this arm
-            typed = edited(before, column, text, self._limits())
+            typed = edited(before, column, text, self.limits())
             if isinstance(typed, Refusal):
                 return typed
             kept = self.tool.kept(typed, point)
@@ -315,7 +316,6 @@ class PointsModel(TableModel):
         """Tell the view no more than has changed, so that it keeps its place and selection."""
         points = self._document.points
         same = min(len(change.removed), len(change.added))
-        self.show_faults({})
         if same:
             self._points = points[: change.first + same] + self._points[change.first + same :]
             top, bottom = (
