@@ -7401,6 +7401,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>录制</translation>
     </message>
     <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
         <source>Delete</source>
         <translation>删除</translation>
     </message>
@@ -7696,10 +7700,6 @@ at 100 %</source>
         <translation>“{name}”正打开着，请先关闭其窗口。</translation>
     </message>
     <message>
-        <source>“{name}” is running. End the run first.</source>
-        <translation>“{name}”正在执行，请先结束执行。</translation>
-    </message>
-    <message>
         <source>Trajectory library</source>
         <translation>轨迹库</translation>
     </message>
@@ -7710,6 +7710,10 @@ at 100 %</source>
     <message>
         <source>Deleted: {names}</source>
         <translation>已删除：{names}</translation>
+    </message>
+    <message>
+        <source>“{name}” is running. End its run first.</source>
+        <translation>“{name}”正在执行，请先结束执行。</translation>
     </message>
     <message>
         <source>“{name}” ended after {done} of the recording. {reason}</source>
@@ -14587,10 +14591,6 @@ The other program must have ended.</source>
     <message>
         <source>With Space held: RX, RY, RZ of the tool</source>
         <translation>按住空格：末端 RX、RY、RZ</translation>
-    </message>
-    <message>
-        <source>Edit the points of the chosen trajectory</source>
-        <translation>编辑所选轨迹的点</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,6 @@ _TOLD: Final = (
         Text("Shortcut", "With Space held: X, Y, Z of the tool"),
     ),
     ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
-    ("library.edit", "Enter", Text("Shortcut", "Edit the points of the chosen trajectory")),
     ("replay.move", "← →, Home, End", Text("Shortcut", ("On the timeline: through the recording"))),
 )
 
@@ -109,6 +108,7 @@ _ONE_PRESS: Final = (
     ("library.import", "Ctrl+O", Text("LibraryBar", "Import files")),
     ("library.create", "Ctrl+N", Text("LibraryBar", "Create")),
     ("library.record", "Ctrl+R", Text("LibraryBar", "Record motion")),
+    ("library.edit", "Enter", Text("LibraryBar", "Edit")),
     ("library.delete", "Del", Text("LibraryBar", "Delete")),
     ("library.duplicate", "Ctrl+D", Text("LibraryBar", "Duplicate")),
     ("library.rename", "F2", Text("LibraryBar", "Rename")),

@@ -33,10 +33,10 @@ _TAKEN: Final = (
         "editor.*",
     ),
     *("motion.set_own_home*", "cell.compare", "cell.frame_by_points", "cell.tool_by_points"),
-    *("library.import", "library.create", "library.delete", "library.duplicate", "library.move"),
-    *("library.rename", "library.by_columns", "library.undo", "library.bin", "bin_back"),
+    *("library.import", "library.create", "library.edit", "library.delete", "library.duplicate"),
+    *("library.move", "library.rename", "library.by_columns", "library.undo", "library.bin"),
     *("library.folder_menu", "sessions.rename", "sessions.delete", "bus.unlock", "bus.send"),
-    "teaching.assistance",
+    *("bin_back", "teaching.assistance"),
     *(f"{panel}.open" for panel in ("light", "joint_settings", "end_limits")),
     *(f"{panel}.open" for panel in ("collision", "motor", "gripper_settings", "end_load")),
 )

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from armui.control.parameters.arm_model import arm_model
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.program import Trajectory
+from armui.ui.actions.keys import key_text
 from armui.ui.dialogs.files import FileDialog
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.library.library_model import LibraryColumn
@@ -19,6 +21,21 @@ from tests.operator.library.actions import CTRL, POINT, LibraryDriver
 def test_enter_opens(driver):
     driver.choose("three")
     driver.key(Qt.Key.Key_Return)
+    assert driver.app_driver.page(EditorPage).document.name == "three"
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize(("language", "lines"), [("en", 3), ("zh", 2)])
+def test_a_button_opens_too_and_takes_no_further_line_at_1280_800(app_driver, language, lines):
+    app_driver.store.change(language=language)
+    driver = LibraryDriver(app_driver, "one", "three")
+    assert not driver.child("edit").isEnabled()
+    driver.choose("one", "three")
+    assert not driver.child("edit").isEnabled()
+    driver.choose("three")
+    assert driver.child("edit").toolTip().endswith(f"({key_text('library.edit')})")
+    assert driver.window._bar.height() <= lines * 36
+    driver.click("edit")
     assert driver.app_driver.page(EditorPage).document.name == "three"
 
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QListWidget, QWidget
 
 from armui.cell.cell import Cell
 from armui.cell.work_area import Area, AreaBox
+from armui.control.run.progress import Run
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
 from armui.trajectory.points.program import Trajectory, Waypoint
@@ -264,6 +265,36 @@ def test_a_run_is_continued_beside_its_own_trajectory_alone(driver):
     assert resume.isVisible()
 
 
+def test_one_that_runs_keeps_its_name_and_is_not_deleted(driver):
+    app_driver = driver.app_driver
+    app_driver.ready()
+    driver.choose("one")
+    driver.child("rename").click()  # begun before the run, ended in it
+    player = app_driver.controller.player
+    accepted(player.start(Run("one", (POINT,), (3.0,))))
+    driver.type_name("first")
+    assert "“one” is running" in driver.message()
+    driver.undo()
+    driver.key(Qt.Key.Key_Delete)
+    driver.key(Qt.Key.Key_F2)
+    assert driver.names() == ["one", "three", "two"]
+    for name in ("delete", "rename"):
+        assert not driver.child(name).isEnabled()
+        assert "“one” is running" in driver.child(name).toolTip()
+        assert "“one” is running" in driver.window.act_of(f"library.{name}").reason()
+    assert driver.child("duplicate").isEnabled()
+    accepted(player.pause())
+    driver.choose("two", "one")
+    assert "“one” is running" in driver.child("delete").toolTip()
+    driver.choose("two")
+    assert driver.child("delete").isEnabled()
+    driver.choose("one")
+    player.stop()
+    app_driver.run_until(driver.child("delete").isEnabled)
+    driver.key(Qt.Key.Key_Delete)
+    assert driver.names() == ["three", "two"]
+
+
 def test_why_one_was_not_run_is_not_said_of_another(driver):
     beyond = Waypoint(MoveMode.MOVE_J, (0.0, 60.0, -60.0, 0.0, 0.0, 170.0))
     driver.library.save(Trajectory("beyond", points=(beyond,)))
@@ -275,23 +306,3 @@ def test_why_one_was_not_run_is_not_said_of_another(driver):
     assert driver.message().startswith("Not run")
     driver.choose("three")
     assert driver.message() == ""
-
-
-@pytest.mark.parametrize("act", ["delete", "rename"])
-def test_what_runs_keeps_its_name_and_place(driver, act):
-    driver.app_driver.ready()
-    player = driver.app_driver.controller.player
-    driver.choose("three")
-    driver.app_driver.click("run_send")
-    driver.app_driver.run(0.5)
-    if driver.app_driver.find("accept_warnings").isVisible():
-        driver.app_driver.click("accept_warnings")
-    driver.app_driver.run_until(lambda: player.running)
-    if act == "delete":
-        driver.click("delete")
-    else:
-        driver.rename("other")
-    driver.app_driver.run(0.2)
-    assert driver.message() == "“three” is running. End the run first."
-    assert "three" in driver.names()
-    assert player.running

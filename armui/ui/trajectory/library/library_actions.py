@@ -45,7 +45,7 @@ class LibraryActions(HasActs, QObject):
 
     Args:
         work: Changes the library.
-        in_use: Returns why a trajectory is not to be changed now; an empty text if it may be.
+        why_used: Returns why these are not changed now; "" if they may be.
         parent: Its owner.
 
     Signals:
@@ -63,11 +63,13 @@ class LibraryActions(HasActs, QObject):
         kind=lambda name: named(name, _CutButton()),
     )
 
-    def __init__(self, work: LibraryWork, in_use: Callable[[str], str], parent: QObject) -> None:
+    def __init__(
+        self, work: LibraryWork, why_used: Callable[[Sequence[str]], str], parent: QObject
+    ) -> None:
         super().__init__(parent)
         self._work = work
         self._library = work.library
-        self._in_use = in_use
+        self._why_used = why_used
         self._history = LibraryHistory(work.library)
 
     def listing(self) -> Listing:
@@ -211,10 +213,10 @@ class LibraryActions(HasActs, QObject):
 
     def _refuse_used(self, names: Sequence[str]) -> bool:
         """Return whether one of these is in use; then that is said."""
-        text = next(filter(None, map(self._in_use, names)), "")
-        if text:
-            self.said.emit(text, Level.WARNING)
-        return bool(text)
+        why = self._why_used(names)
+        if why:
+            self.said.emit(why, Level.WARNING)
+        return bool(why)
 
     def _on_refused(self, text: str) -> None:
         # it may be refused because the library is another than the operator sees

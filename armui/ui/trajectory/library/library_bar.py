@@ -18,7 +18,7 @@ from armui.ui.actions.keys import SHORTCUTS, key_text, keys_of, listen_for
 from armui.ui.widgets.buttons import give_menu, named
 from armui.ui.widgets.flow import Flow
 
-_OF_TABLE: Final = ("delete", "rename", "duplicate")
+_OF_TABLE: Final = ("edit", "delete", "rename", "duplicate")
 """Actions whose keys count in the list only: in the search field they edit its text."""
 _SEARCH_PX: Final = 120
 
@@ -29,12 +29,10 @@ class LibraryBar(HasActs, QWidget):
     Signals:
         wanted: The name of a button that was pressed, or of its key.
         export_wanted: A format, by its suffix.
-        open_wanted: Enter was pressed in the list.
     """
 
     wanted = Signal(str)
     export_wanted = Signal(str)
-    open_wanted = Signal()
     # a key of the list alone is no shortcut of a button: those count in the whole window
     _buttons = ActFamily(
         {
@@ -45,14 +43,14 @@ class LibraryBar(HasActs, QWidget):
                 shortcut="",
                 synonyms=also("open load file csv 打开 文件") if name == "import" else (),
             )
-            for name in ("import", "create", "record", "delete", "duplicate", "rename")
+            for name in ("import", "create", "record", "edit", "delete", "duplicate", "rename")
         }
     )
     _export = Act("Export files", named="library_export", key="library.export")
 
     def __init__(self) -> None:
         super().__init__()
-        self._count, self._unsaved = 0, False
+        self._count, self._unsaved, self._kept = 0, False, ""
         self._export_menu = QMenu(self)
         self.search = named("library_search", QLineEdit())
         self.search.setClearButtonEnabled(True)
@@ -90,21 +88,25 @@ class LibraryBar(HasActs, QWidget):
 
         Args:
             page: The page: most keys count everywhere in its window.
-            table: The list: keys for selected rows, and Enter, count in it only.
+            table: The list: keys for selected rows count in it only.
         """
         for name, button in self._buttons.items():
             owner = table if name in _OF_TABLE else page
             _key(owner, keys_of(f"library.{name}"), owner is table).triggered.connect(button.click)
-        for keys in ("Return", "Enter"):
-            _key(table, keys, True).triggered.connect(self.open_wanted)
+        _key(table, "Return", True).triggered.connect(self._buttons["edit"].click)
         listen_for("library.find", page, self._on_find, Qt.ShortcutContext.WindowShortcut)
         self._table = table
 
     def show_chosen(self, entries: Sequence[IndexEntry]) -> None:
         """Enable the actions possible with the selected entries; the others show their reasons."""
-        self._count = len(entries)
-        self._unsaved = any(entry.kind == "draft" for entry in entries)
+        self._count, self._unsaved = len(entries), any(each.kind == "draft" for each in entries)
         self.show_acts()
+
+    def show_kept(self, why: str) -> None:
+        """Have what is chosen neither deleted nor renamed for a reason; "" for none."""
+        if why != self._kept:
+            self._kept = why
+            self.show_acts()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Handle keys of the search field: Escape clears it first, Down leads to the list."""
@@ -165,13 +167,14 @@ class LibraryBar(HasActs, QWidget):
     def _why_not(self, name: str) -> str:
         chosen, saved, alone = bool(self._count), not self._unsaved, self._count == 1
         usable = {
+            "edit": alone,
             "delete": chosen,
             "export": chosen and saved,
             "duplicate": alone and saved,
             "rename": alone,
         }
         if usable.get(name, True):
-            return ""
+            return self._kept if name in {"delete", "rename"} else ""
         if self._unsaved:
             return self.tr("Not saved yet. Open it and save it first")
         if self._count > 1:

@@ -131,9 +131,7 @@ class LibraryModel(TableModel):
         if tells == self._tells_folders:
             return
         self._tells_folders = tells
-        if self._rows:
-            column = LibraryColumn.NAME
-            self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
+        self._redraw(LibraryColumn.NAME)
 
     def show_for(self, arm: ArmModel) -> None:
         """Show only check marks of checks for one arm, and mark what was taught on another."""
@@ -142,17 +140,17 @@ class LibraryModel(TableModel):
         self._arm, self._kind = arm, arm.kind
         self._fingerprints.clear()
         self._sort_keys.clear()
-        if self._rows:
-            column = LibraryColumn.CHECK
-            self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
+        self._redraw(LibraryColumn.CHECK)
 
     def note_found(self, name: str) -> None:
         """Note of which one the last check has findings, were it of the way to its first point."""
         if name == self._found_of:
             return
         self._found_of = name
+        self._redraw(LibraryColumn.CHECK)
+
+    def _redraw(self, column: LibraryColumn) -> None:
         if self._rows:
-            column = LibraryColumn.CHECK
             self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
 
     def _mark(self, entry: IndexEntry) -> Check | None:
@@ -203,9 +201,7 @@ class LibraryModel(TableModel):
                 rows[row] = replace(entry, estimated_s=seconds, estimated_for=holds_for)
                 self._sort_keys.pop((row, LibraryColumn.LENGTH), None)
         self._rows = tuple(rows)
-        if rows:
-            column = LibraryColumn.LENGTH
-            self.dataChanged.emit(self.index(0, column), self.index(len(rows) - 1, column))
+        self._redraw(LibraryColumn.LENGTH)
 
     def sort_key(self, row: int, column: int) -> tuple[Any, ...]:
         """Return the sort key of a cell within its column."""

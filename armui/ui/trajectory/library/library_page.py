@@ -17,7 +17,7 @@ from armui.control.events import Level
 from armui.control.operating_state import OperatingState
 from armui.control.parameters.arm_model import arm_model
 from armui.control.run.preflight import Checks, Preflight
-from armui.control.run.progress import Progress
+from armui.control.run.progress import OVER, Progress
 from armui.control.run.runner import ended_early
 from armui.trajectory.files import Content
 from armui.trajectory.library.run_options import RunOptions
@@ -127,7 +127,7 @@ class LibraryPage(Page):
         self._bar = LibraryBar()
         self._table = LibraryTable(self._shown)
         self._message = named("library_message", MessageLine(keeps_room=False))
-        self._actions = LibraryActions(self._work, self._in_use, self)
+        self._actions = LibraryActions(self._work, self._why_used, self)
         self._folder_bar = FolderBar(self._actions, self._name_bar, self.chosen, self)
         self._deleted = RecentlyDeleted(controller, self._work, self._actions, self)
         self._hint = LibraryHint(self._table)
@@ -188,13 +188,13 @@ class LibraryPage(Page):
             "import": self._exchange.choose_imports,
             "create": self._create,
             "record": self.open_recorder,
+            "edit": lambda: self.open_trajectory(self._chosen_names()[0]),
             "delete": lambda: self._actions.delete(self._chosen_names()),
             "duplicate": lambda: self._actions.duplicate(self._chosen_names()[0]),
             "rename": self._table.edit_name,
         }
         self._bar.wanted.connect(lambda name: handlers[name]())
         self._bar.export_wanted.connect(self._export)
-        self._bar.open_wanted.connect(self._open_chosen)
         self._bar.listen(self, self._table)
         listen_for("library.undo", self, self._actions.undo_button.click)
         self._bar.search.textChanged.connect(self._on_search)
@@ -367,8 +367,24 @@ class LibraryPage(Page):
         """Return the selected entries, from top to bottom."""
         return self._table.chosen()
 
+    def _why_runs(self, names: Sequence[str]) -> str:
+        """Return why these stay as they are: one of them runs, or is paused; "" if none does."""
+        progress = self._run_bar.progress
+        runs = progress.phase not in OVER and progress.name in names
+        text = self.tr("“{name}” is running. End its run first.")
+        return text.format(name=progress.name) if runs else ""
+
+    def _why_used(self, names: Sequence[str]) -> str:
+        name = next(filter(self.editors.__contains__, names), "")
+        text = self.tr("“{name}” is open. Close its window first.").format(name=name)
+        return self._why_runs(names) or (text if name else "")
+
+    def _show_kept(self) -> None:
+        self._bar.show_kept(self._why_runs(self._chosen_names()))
+
     def _show_usable(self, *_: object) -> None:
         chosen = self.chosen()
+        self._show_kept()
         self._bar.show_chosen(chosen)
         self._folder_bar.show_chosen()
         one = chosen[0] if len(chosen) == 1 else None
@@ -431,11 +447,6 @@ class LibraryPage(Page):
         told = entry.name == self._found_of or self._run_bar.is_checking
         if index.column() == LibraryColumn.CHECK and self._model.has_findings(entry) and not told:
             self._run_bar.check()
-
-    def _open_chosen(self) -> None:
-        chosen = self._chosen_names()
-        if len(chosen) == 1:
-            self.open_trajectory(chosen[0])
 
     def open_trajectory(self, name: str) -> None:
         """Open the editor of a trajectory, with its unsaved changes."""
@@ -516,6 +527,7 @@ class LibraryPage(Page):
         self._findings.clear()
 
     def _on_progress(self, progress: Progress) -> None:
+        self._show_kept()
         if ended_early(progress):
             text = self.tr("“{name}” ended after {done} of the recording. {reason}")
             if progress.count:
@@ -565,15 +577,6 @@ class LibraryPage(Page):
             self.refresh()  # somebody else may have taken the name
 
         self._actions.create(name, made, refused)
-
-    def _in_use(self, name: str) -> str:
-        """Return why a trajectory keeps its name and place now; empty if nothing keeps it."""
-        player, text = self._controller.player, ""
-        if name in self.editors:
-            text = self.tr("“{name}” is open. Close its window first.")
-        elif player.running and player.progress.name == name:
-            text = self.tr("“{name}” is running. End the run first.")
-        return text.format(name=name)
 
     def _chosen_names(self) -> list[str]:
         return [entry.name for entry in self.chosen()]
