@@ -7270,7 +7270,7 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>End it and go on</source>
-        <translation>结束并继续</translation>
+        <translation>结束运行并继续操作</translation>
     </message>
     <message>
         <source>A run is under way</source>
@@ -11576,7 +11576,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for motions.</source>
-        <translation>末端在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选运动的最低高度。</translation>
+        <translation>指尖在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选运动的最低高度。</translation>
     </message>
     <message>
         <source>The arm is moving</source>
@@ -11977,7 +11977,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The target is {missing} mm out of the arm&apos;s reach. Choose one nearer to the arm, or turn the tool.</source>
-        <translation>目标超出可达范围 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
+        <translation>目标超出可达范围，还差 {missing} mm。请选择更近的位置，或改变末端姿态。</translation>
     </message>
     <message>
         <source>At the target joint {joint} would stand at {value}°, beyond its limits of {minimum}° to {maximum}°. Choose another position or turn the tool.</source>
