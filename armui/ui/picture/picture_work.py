@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QObject
@@ -213,7 +213,6 @@ class PictureWork(QObject):
     ) -> None:
         super().__init__(window)
         self._controller = controller
-        self._runner = Runner(controller, self)
         self._view = view
         self._preview = preview
         self.bar = ViewBar(view, preferences)
@@ -303,6 +302,11 @@ class PictureWork(QObject):
             self.bar.show_tool(tool)
             self._trail.clear()
             self._show_reach()
+
+    @cached_property
+    def _runner(self) -> Runner:
+        """Follows the runs, from the first path that is shown on."""
+        return Runner(self._controller, self)
 
     def _on_state(self, state: ArmState) -> None:
         self._trail.follow(state)
