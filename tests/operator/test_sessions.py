@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.session.recording.recorded_session import RecordedSession
 from armui.ui.dialogs.files import FileDialog
+from armui.ui.shell import page_opener
 from armui.ui.watch.recordings.recording_card import moment_text
 from armui.ui.watch.recordings.sessions_page import SessionColumn, SessionsPage
 from armui.ui.watch.replay.replay_window import ReplayWindow
@@ -128,7 +129,9 @@ def test_a_recording_is_renamed_in_the_list(sessions):
     assert first not in sessions.names()
 
 
-def test_a_recording_is_deleted_into_a_folder_from_which_it_can_come_back(sessions):
+def test_a_recording_is_deleted_into_a_folder_from_which_it_can_come_back(sessions, monkeypatch):
+    # S2: what only the replay window needs is not loaded by this press
+    monkeypatch.setattr(page_opener, "replay_window", lambda: pytest.fail("it was loaded"))
     sessions.record()
     (name,) = sessions.names()
     sessions.window.table.selectRow(0)

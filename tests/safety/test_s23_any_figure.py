@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLineEdit
 from armui.ui.panels.cell.cell_panel import TABS
 from tests.app_driver import PANELS
 
-FIGURES = ("1e9", "-1e300", "9" * 320)
+FIGURES = ("1e9", "-1e300", "9" * 320, "nan", "-inf")
 
 
 def type_everywhere(app_driver):

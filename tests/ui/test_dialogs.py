@@ -337,5 +337,11 @@ def test_the_next_file_is_looked_for_where_the_last_was(
         chooser.setDirectory(str(folder))
         return before
 
+    gone = tmp_path / "gone"
+    gone.mkdir()
     chosen_in(tmp_path)
-    assert chosen_in(Path.home()) == str(tmp_path)
+    assert chosen_in(gone) == str(tmp_path)
+    gone.rmdir()
+    assert Path(
+        chosen_in(tmp_path)
+    ).is_dir()  # one that is gone, as a stick that was pulled, is none

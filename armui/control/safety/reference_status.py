@@ -35,7 +35,7 @@ class ReferenceStatus:
         by_hand: In the check, the joints that nothing may drive.
         unanswered: In the check, the joints that are still to be answered for.
         cannot_drive: Why the check cannot drive a joint now, or ``None``.
-        slipped: The joints that slipped at the last resume, as ``J1 −5.0°``, until that is noted.
+        slipped: The joints that slipped at the last resume, as ``J1 -5.0°``, until that is noted.
     """
 
     doubtful: tuple[int, ...] = ()

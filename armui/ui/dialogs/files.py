@@ -131,8 +131,9 @@ class FileDialog(QFileDialog):
             self.setDefaultSuffix(Path(new_file).suffix)
         self.setNameFilter(name_filter)
         self.setModal(False)
+        # Qt begins in the folder that it showed last; in the process's own before the first
         if start is None and self.directory() == QDir.current():
-            start = Path.home()  # no folder was shown yet: Qt begins in the last one
+            start = Path.home()
         if start is not None:
             self.setDirectory(str(start if start.is_dir() else start.parent))
         if new_file is not None:

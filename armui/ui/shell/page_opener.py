@@ -191,7 +191,9 @@ class PageOpener(QObject):
     def replayed(self) -> Path | None:
         """Return the log that is open in the window 回放, or ``None``."""
         window = self._windows.get("replay")
-        return window.log if isinstance(window, replay_window()) and window.isVisible() else None
+        if window is None or not window.isVisible() or not isinstance(window, replay_window()):
+            return None
+        return window.log
 
     def open_replay(self, path: Path | None = None) -> None:
         """Show the window 回放, with a log if one is given; else the operator chooses it there."""

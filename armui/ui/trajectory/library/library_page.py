@@ -135,8 +135,10 @@ class LibraryPage(Page):
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
         self._findings = FindingsPane(controller)
         self._found_of = ""
-        self._tells_end, self._said_of = False, ""
         """The name of what the findings are about."""
+        self._said_of = ""
+        """The name of what the message says that it was not run."""
+        self._tells_end = False
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
         )

@@ -165,6 +165,10 @@ class SessionsModel(TableModel):
         self.endResetModel()
         return True
 
+    def name_of(self, path: Path | None) -> str:
+        """Return which recording has a file as its first; "" for none."""
+        return next((each.name for each in self._rows if path and each.path == path), "")
+
     def is_written(self, name: str) -> bool:
         """Return whether a recording is still being written."""
         return name in self._written
@@ -494,15 +498,13 @@ class SessionsPage(Page):
             folder = self._sessions.choices.folder
             self._background.begin_here(job, recording_files.thrown_away, folder, names)
 
-    def _refuse_replayed(self, names: Iterable[str]) -> bool:
+    def _refuse_replayed(self, names: Sequence[str]) -> bool:
         """Return whether one of these logs is open in the replay window; then that is said."""
-        path = self._replayed()
-        if path is None or path.parent != self._sessions.choices.folder:
+        name = self._model.name_of(self._replayed())
+        if name not in names:
             return False
-        name = next((each for each in names if path.name.startswith(f"{each}.")), None)
-        if name is not None:
-            self._refuse(SESSION_REPLAYED(name=name))
-        return name is not None
+        self._refuse(SESSION_REPLAYED(name=name))
+        return True
 
     def _on_deleted(self, result: Path | Refusal) -> None:
         if isinstance(result, Refusal):
