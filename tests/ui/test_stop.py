@@ -86,6 +86,7 @@ def test_other_buttons_of_the_mouse_do_nothing(host, controller, qtbot, button):
     host.show()
     qtbot.mousePress(stop, button)
     assert controller.calls == []
+    qtbot.mouseRelease(stop, button)
 
 
 def test_stops_by_space(button, controller, qtbot):

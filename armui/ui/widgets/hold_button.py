@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, QVariantAnimation, Signal
-from PySide6.QtGui import QColor, QPaintEvent
+from PySide6.QtGui import QColor, QMouseEvent, QPaintEvent
 from PySide6.QtWidgets import QPushButton, QToolTip
 
 from armui.control.operations.started import ARM_CHANGED
 from armui.ui.theme import colors_of
 from armui.ui.widgets import painting
+from armui.ui.widgets.hold_guard import can_be_let_go
 from armui.ui.widgets.tips import uncover
 from armui.ui.widgets.translated import Translated
 
@@ -89,6 +90,13 @@ class HoldButton(Translated, QPushButton):
         return self.tr("Hold it for {seconds} s, with the mouse or the space bar.").format(
             seconds=f"{HOLD_MS / 1000:g}"
         )
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin the hold, if its end will be heard."""
+        if can_be_let_go(event):
+            super().mousePressEvent(event)
+        else:
+            event.ignore()
 
     def _on_pressed(self) -> None:
         self._pressed_for = self._controller.mark

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QKeyEvent
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Reason
@@ -35,6 +35,15 @@ _KEYS: Final = frozenset({QEvent.Type.KeyPress, QEvent.Type.KeyRelease})
 
 UNATTENDED_S: Final = 10
 """A hold ends after this time without a movement of the pointer or another key."""
+
+
+def can_be_let_go(press: QMouseEvent) -> bool:
+    """Return whether the release of a press will be heard: no other button of the mouse is down.
+
+    Beside a button that was pressed elsewhere, or on what is gone since, Qt tells a widget of the
+    press of another one, and no widget of its release.
+    """
+    return press.buttons() == press.button()
 
 
 class HoldGuard(QObject):

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtGui import QFocusEvent, QHideEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QPushButton
 
-from armui.ui.widgets.hold_guard import HoldGuard
+from armui.ui.widgets.hold_guard import HoldGuard, can_be_let_go
 
 _FIRST_REPEAT_MS: Final = 400
 _REPEAT_MS: Final = 100
@@ -81,6 +81,9 @@ class JogButton(QPushButton):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Mark a fresh press, which alone can begin something."""
+        if not can_be_let_go(event):
+            event.ignore()
+            return
         self._fresh_press = True
         super().mousePressEvent(event)
         self._fresh_press = False
