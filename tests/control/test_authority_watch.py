@@ -14,6 +14,7 @@ from armui.control.authority_watch import (
     CANCEL_UNHEEDED,
     LEADER_ARM_MOVES,
     MOTION_TOO_FAST,
+    MOTION_UNHEEDED,
     OTHER_HOST_GONE,
     OTHER_HOST_MOVES,
     TAKEN_OVER,
@@ -23,12 +24,14 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LinkState
 from armui.control.link.offsets import OffsetFollower
 from armui.control.motion.motion_command import CommandKind, End, Mover
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.other_command import OTHER_HOST, OTHER_HOST_STREAMS, OTHER_MODE
 from armui.control.safety.overspeed import TOO_FAST
 from armui.protocol.addressing import Addressing
 from armui.protocol.codes import MoveMode
 from armui.protocol.generation import PiperModel
-from tests.control.heard_arm import DRIVER, HERE, status
+from armui.telemetry.events import Level
+from tests.control.heard_arm import DRIVER, HERE, NOWHERE, THERE, status
 from tests.moments import now
 from tests.ui.arm_states import heard_six
 
@@ -105,15 +108,30 @@ class Program:
         for each in identifiers:
             self.connection.hosts.note(each, bytes(8), self.now_s)
 
-    def send(self, percent: int = 30):
+    def send(self, percent: int = 30, kind=CommandKind.JOINTS, target=HERE, started=None):
         """A command of ours."""
         return self.authority.begin(
-            CommandKind.JOINTS,
+            kind,
             now_s=self.now_s,
             move_mode=MoveMode.MOVE_J,
             speed_percent=percent,
-            joints_deg=HERE,
+            joints_deg=target,
+            started=started,
         )
+
+    def ordered(self, target=THERE, kind=CommandKind.JOINTS) -> Started:
+        """A command of ours, with the record of its operation."""
+        started = Started("send_joints")
+        self.send(kind=kind, target=target, started=started)
+        self.wait(STEP_S)
+        return started
+
+    def stand_at(self, joint_1_deg: float, *, reached: bool) -> None:
+        """Joint 1 turns as far at 40°/s, and the arm rests there."""
+        self.connection.status = status(reached=False)
+        self.wait(joint_1_deg / 40, deg=0.625)
+        self.connection.status = status(reached=reached)
+        self.wait(1.0)
 
     @property
     def notices(self) -> list[Notice]:
@@ -261,6 +279,103 @@ def test_a_motion_at_its_speed_is_left_alone(program):
     program.send(100)
     program.wait(0.25, deg=1.0)
     assert program.ended == []
+    assert program.told == []
+
+
+# How a command of ours ends ----------------------------------------------------------------------
+
+
+def test_one_that_arrives_is_done(program):
+    started = program.ordered()
+    program.stand_at(40.0, reached=True)
+    assert started.ending is Ending.DONE
+    assert (started.result.code, started.result.level) == ("arrived", Level.DONE)
+    assert program.told == []
+
+
+def test_one_that_rests_and_has_not_arrived_by_what_the_arm_says_has_failed(program):
+    started = program.ordered()
+    program.stand_at(40.0, reached=False)
+    assert started.ending is Ending.FAILED
+    assert (started.result.code, started.result.params) == ("motion_cut", {"end": "short"})
+
+
+@pytest.mark.parametrize(
+    ("end", "level"),
+    [(End.CANCELLED, Level.INFO), (End.REPLACED, Level.INFO), (End.STOPPED, Level.WARNING)],
+)
+def test_one_that_is_cut_off_says_by_what(program, end, level):
+    started = program.ordered()
+    if end is End.REPLACED:
+        program.send()
+    else:
+        program.authority.end_command(end)
+    program.wait(STEP_S)
+    assert started.ending is Ending.CUT_OFF
+    assert started.result.level is level
+    assert started.result.params == {"end": end.name}
+    assert program.authority.over == []
+
+
+def test_the_next_command_of_the_same_operation_cuts_nothing_off(program):
+    started = program.ordered()
+    program.send(target=NOWHERE, started=started)
+    program.wait(STEP_S)
+    assert started.ending is None
+    program.authority.end_command(End.STOPPED)
+    program.wait(STEP_S)
+    assert started.ending is Ending.CUT_OFF
+
+
+def test_a_replay_ends_its_own_record(program):
+    started = program.ordered(kind=CommandKind.REPLAY)
+    program.authority.end_command(End.STOPPED)
+    program.wait(STEP_S)
+    assert started.ending is None
+
+
+def test_a_motion_that_the_arm_does_not_take_up_is_told_and_has_failed(program):
+    program.ordered(target=HERE)
+    program.wait(1.5)
+    assert program.told == []
+    program.connection.status = status(reached=False)
+    for count in (1, 2):
+        started = program.ordered()
+        program.wait(0.25)
+        assert started.ending is None
+        program.wait(0.75)
+        assert program.notices == [MOTION_UNHEEDED] * count
+        assert started.ending is Ending.FAILED
+        assert started.result.level is Level.FAULT
+
+
+def test_so_is_one_whose_mode_the_arm_did_not_take_up(program):
+    """It has ended by then, and is the last of those that have."""
+    first, last = program.ordered(), Started("send_joints")
+    program.send(target=NOWHERE, started=last)
+    program.authority.end_command(End.OTHER_MODE)
+    program.wait(STEP_S)
+    assert program.notices == [MOTION_UNHEEDED]
+    assert first.ending is Ending.CUT_OFF
+    assert last.ending is Ending.FAILED
+
+
+def test_a_motion_that_is_held_back_is_neither_unheeded_nor_over(program):
+    started = program.ordered()
+    program.authority.paused()
+    program.wait(2.0)
+    assert started.ending is None
+    program.authority.went_on(program.now_s)
+    program.wait(STEP_S)
+    assert program.told == []
+
+
+def test_another_connection_ends_what_the_last_one_began(program):
+    started = program.ordered()
+    program.authority.end_command(End.OTHER_MODE)
+    program.watch.reset(program.now_s)
+    assert started.ending is Ending.CUT_OFF
+    program.wait(2.0)
     assert program.told == []
 
 
