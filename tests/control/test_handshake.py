@@ -8,7 +8,7 @@ from armui.arm.state import ArmState, Reading, Status
 from armui.control.link.handshake import Handshake, HandshakePhase
 from armui.protocol.addressing import Addressing
 from armui.protocol.codec import Codec
-from armui.protocol.firmware_version import MitLayout
+from armui.protocol.firmware_version import ArmIdentity, MitLayout, NamedVersion
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.family import FACTORY_LIMITS
@@ -274,3 +274,67 @@ def test_after_five_questions_it_is_done_with_what_was_read(talk, version, after
     talk.wait(0.25)
     assert talk.handshake.done
     assert len(talk.wire.sent) // 12 == 5
+
+
+# Who it is, later ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("pauses", [1, 0])
+def test_after_every_pause_it_is_asked_twice_who_it_is(talk, pauses):
+    """Its power may have been off for long enough to exchange it."""
+    talk.settle()
+    talk.wait(STEP_S, ALL_LIMITS)
+    for count in (pauses, 2, 1):
+        paused = NOTHING._replace(pauses=count)
+        talk.wait(STEP_S, paused)
+        assert talk.wire.take() == [VERSION] * bool(count)
+        talk.wait(0.484375, paused)
+        assert talk.wire.take() == []
+        talk.wait(2.0, paused)
+        assert talk.wire.take() == [VERSION] * bool(count)
+
+
+@pytest.mark.parametrize(("began_s", "asked"), [(0.0, [VERSION]), (STEP_S, [])])
+def test_an_answer_that_began_after_the_pause_ends_the_questions(talk, began_s, asked):
+    talk.settle()
+    talk.wait(STEP_S, ALL_LIMITS)
+    talk.wait(STEP_S, NOTHING._replace(pauses=1))
+    talk.wire.take()
+    named = NamedVersion("S-V1.8-8", "", talk.now_s + began_s)
+    answered = NOTHING._replace(pauses=1, versions_named=(NamedVersion("S-V1.8-8", "", 0.0), named))
+    talk.wait(1.0, answered)
+    assert talk.wire.take() == asked
+    talk.wait(1.0, NOTHING._replace(pauses=1))
+    assert talk.wire.take() == []
+
+
+def test_generation_1_cannot_be_asked_after_a_pause(talk):
+    talk.wait(1.0 + STEP_S)
+    talk.wait(STEP_S, ALL_LIMITS)
+    talk.wire.take()
+    talk.wait(1.0, NOTHING._replace(pauses=1, firmware="S-V1.8-8"))
+    assert talk.wire.take() == []
+    assert talk.handshake.firmware is None
+
+
+def test_the_identity_grows_as_its_texts_are_heard_until_one_contradicts(talk):
+    first = ArmIdentity("S-V1.8-8")
+    whole = first._replace(hardware="H-V1.2-1")
+    for identity, kept in (
+        (None, None),
+        (first, first),
+        (None, first),
+        (whole, whole),
+        (whole._replace(hardware="H-V1.3-1"), whole),
+    ):
+        talk.wait(STEP_S, NOTHING._replace(firmware="S-V1.8-8", identity=identity))
+        assert talk.handshake.identity == kept
+
+
+def test_a_log_that_states_its_generation_is_not_asked_for_it():
+    wire = Wire()
+    handshake = Handshake(wire, 0.0, Addressing(), Generation.ONE)
+    assert handshake.generation is Generation.ONE
+    assert handshake.codec.generation is Generation.ONE
+    handshake.follow_arm(NOTHING, 0.0)
+    assert wire.take() == questions(1, 2, 3, 4, 5, 6)
