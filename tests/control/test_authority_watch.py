@@ -342,7 +342,7 @@ def test_a_motion_that_the_arm_does_not_take_up_is_told_and_has_failed(program):
     for count in (1, 2):
         started = program.ordered()
         program.wait(0.25)
-        assert started.ending is None
+        assert now(started.ending) is None
         program.wait(0.75)
         assert program.notices == [MOTION_UNHEEDED] * count
         assert started.ending is Ending.FAILED

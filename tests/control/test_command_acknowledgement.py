@@ -11,6 +11,7 @@ from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.codes import ArmStatusCode
 from tests.control.heard_arm import HERE, THERE, status
+from tests.moments import now
 from tests.ui.arm_states import heard_six
 
 BEGIN_S = 0.25
@@ -29,7 +30,8 @@ class Watched:
         self.watch = AcknowledgementMonitor()
         self.now_s = BEGIN_S
         self.joints_deg: tuple[float, ...] | None = HERE
-        self.pose = AT
+        self.in_time_since_s = 0.0
+        self.pose: tuple[float, ...] | None = AT
         self.status = status()
 
     def look(self, command: MotionCommand | None, ended: End | None = None) -> bool:
@@ -37,7 +39,8 @@ class Watched:
         state = ArmState(
             status=Reading(self.status, self.now_s),
             joints_deg=heard,
-            pose=heard_six(self.pose, self.now_s),
+            pose=(None,) * 6 if self.pose is None else heard_six(self.pose, self.now_s),
+            in_time_since_s=self.in_time_since_s,
         )
         seen = self.watch.observe(command, ended, state, self.now_s)
         self.now_s += STEP_S
@@ -191,3 +194,34 @@ def test_the_setpoint_a_jog_has_come_to_counts_when_it_ends(arm):
     arm.look(replace(JOG, joints_deg=turned(0.3)))
     arm.look(replace(JOG, joints_deg=turned(0.6)))
     assert arm.look(None, End.MOVED_AWAY)
+
+
+@pytest.mark.parametrize("command", [JOINTS, replace(POSE, leads_away=False)])
+def test_it_waits_for_a_motion_that_leads_away_until_it_shows(arm, command):
+    leads = command is JOINTS
+    assert now(arm.watch.waits) is False
+    arm.look(command)
+    assert now(arm.watch.waits) is leads
+    arm.joints_deg = turned(1.0)
+    arm.look(command)
+    assert arm.watch.waits is False
+
+
+def test_a_flange_first_heard_on_the_way_shows_nothing(arm):
+    """Where it stood at sending is not known, and no joint has turned."""
+    arm.pose = None
+    arm.look(POSE)
+    arm.pose = AT
+    assert arm.looks(POSE, 5.0) == 1
+
+
+@pytest.mark.parametrize(("silent_s", "after_s"), [(0.5, 0.5), (0.75, 0.75)])
+def test_angles_that_stayed_out_are_waited_for(arm, silent_s, after_s):
+    """They must have arrived for the last half second before anything is held against the arm."""
+    arm.looks(JOINTS, 0.5)
+    silent = arm.joints_deg
+    arm.joints_deg = None
+    assert arm.looks(JOINTS, silent_s) == 0
+    arm.joints_deg, arm.in_time_since_s = silent, arm.now_s
+    assert arm.looks(JOINTS, 0.5) == 0
+    assert arm.looks(JOINTS, after_s) == 1

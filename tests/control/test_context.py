@@ -9,20 +9,24 @@ from unittest.mock import Mock
 import pytest
 
 from armui.arm.state import ArmState
-from armui.control.context import COMMAND_OVER, REFUSED
-from armui.control.link.link_state import LINK_LOST, OFFLINE
+from armui.control.context import COMMAND_OVER, GENERATION_UNKNOWN, REFUSED
+from armui.control.events import Notice
+from armui.control.link.link_state import LINK_LOST, OFFLINE, LinkState
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.motion.motion_context import MotionContext
 from armui.control.operating_state import OperatingState
-from armui.control.operations.started import Started
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.other_command import OTHER_HOST
 from armui.protocol.codec import Codec
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.telemetry.events import EventKind, Level
 from armui.ways.passes import Pass
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
+from tests.moments import now
 
+GOES = Notice("goes", "{percent}", Level.INFO, EventKind.COMMAND)
 TARGET = Frame(0x155, bytes(8))
 PASSED = Pass()
 TOOL = (object(),)
@@ -35,6 +39,7 @@ class Connection:
         self.codec = Codec(Generation.TWO)
         self.happened: list[Any] = []
         self.works = True
+        self.device: object | None = None
 
     def void(self, newest) -> None:
         self.happened.append(("void", newest))
@@ -93,6 +98,32 @@ def test_what_is_not_done_is_told(part):
     assert part.told == [(REFUSED, {"reason": refusal})]
 
 
+def test_how_a_command_ended_or_goes_is_noted_and_told(part):
+    started = Started("a")
+    part.context.report(started, GOES, percent=5)
+    assert now(started.ending) is None
+    assert started.result.params == {"percent": 5}
+    part.context.close(started, Ending.FAILED, GOES, percent=6)
+    assert started.ending is Ending.FAILED
+    assert started.result.params == {"percent": 6}
+    assert part.told == [(GOES, {"percent": 5}), (GOES, {"percent": 6})]
+
+
+@pytest.mark.parametrize(
+    ("link", "generation", "reason"),
+    [
+        (LinkState.ONLINE, Generation.TWO, None),
+        (LinkState.ONLINE, None, GENERATION_UNKNOWN),
+        (LinkState.OFFLINE, Generation.TWO, OFFLINE),
+        (LinkState.OFFLINE, None, OFFLINE),
+    ],
+)
+def test_why_the_arm_cannot_be_asked(part, link, generation, reason):
+    part.connection.link, part.connection.generation = link, generation
+    refusal = part.context.why_unknown()
+    assert (refusal and refusal.reason) == reason
+
+
 # A motion -----------------------------------------------------------------------------------------
 
 
@@ -118,6 +149,19 @@ def test_who_moves_the_arm_is_looked_at_first(part):
     assert part.arm.authority.command is None
 
 
+def test_what_was_refused_has_ended(part):
+    other_host(part)
+    started = Started("a")
+    part.context.send_motion(
+        *(CommandKind.JOINTS, [TARGET]),
+        passed=PASSED,
+        started=started,
+        move_mode=MoveMode.MOVE_J,
+        speed_percent=30,
+    )
+    assert started.ending is Ending.REFUSED
+
+
 def test_what_could_not_be_sent_is_not_ours(part):
     part.connection.works = False
     assert part.send().reason == LINK_LOST
@@ -139,6 +183,11 @@ def test_a_lower_percentage_goes_out_before_the_target(part, had, percent, leads
     part.send(percent)
     frames, _, _ = part.connection.happened[1]
     assert frames == ([SLOWER, TARGET] if leads else [TARGET])
+
+
+def test_the_speed_alone_keeps_the_modes(part):
+    frames = part.context.speed_frames((ControlMode.CAN_CONTROL, MoveMode.MOVE_L), 7)
+    assert frames == [Frame(0x151, bytes.fromhex("01 02 07 00 00 00 00 00"))]
 
 
 @pytest.mark.parametrize(

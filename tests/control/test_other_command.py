@@ -351,3 +351,14 @@ def test_each_motion_frame_of_it_is_new_once(company):
     assert new(NOW_S + 0.2)
     assert company.other.since_s == NOW_S
     assert company.other.last_s == NOW_S + 0.2
+
+
+@pytest.mark.parametrize(
+    ("identifier", "counts"),
+    [(0x158, False), (0x159, True), (0x15A, False), (0x169, True), (0x155, False)],
+)
+def test_whether_it_has_moved_the_gripper(company, identifier, counts):
+    company.say(identifier, "00" * 8, NOW_S + 0.1)
+    company.look(NOW_S + 0.2, offsets=(0x00, 0x10))
+    assert company.other.has_commanded_gripper(NOW_S) is counts
+    assert not company.other.has_commanded_gripper(NOW_S + 0.1)

@@ -322,13 +322,19 @@ def test_over_a_lost_link_nothing_survives(program):
 
 
 def test_what_is_being_set_that_a_motion_counts_on(program):
-    assert now(program.line.altering) is None
-    program.line.submit(program.order("a", 1), program.order("b", 2, alters="limits"))
-    assert now(program.line.altering) == "limits"
+    """It is counted once when it is first sent: not when it waits, is sent again or read back."""
+    assert (now(program.line.altering), now(program.line.alterations)) == (None, 0)
+    setting = program.order("b", 2, alters="limits", read_back=program.reading("b"))
+    program.line.submit(program.order("a", 1), setting)
+    assert (now(program.line.altering), now(program.line.alterations)) == ("limits", 0)
     program.answer()
-    assert now(program.line.altering) == "limits"
+    assert (now(program.line.altering), now(program.line.alterations)) == ("limits", 1)
+    program.wait(0.5)
     program.answer()
-    assert program.line.altering is None
+    assert program.frames[1:] == [(frame(2),), (frame(2),), (question(1),)]
+    program.heard("b")
+    program.wait(STEP_S)
+    assert (program.line.altering, program.line.alterations) == (None, 1)
 
 
 def test_what_ends_may_begin_another(program):

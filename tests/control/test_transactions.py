@@ -6,7 +6,7 @@ import pytest
 
 from armui.control.link.link_state import LINK_LOST
 from armui.control.operating_state import BUSY
-from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
+from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED, Started
 from tests.control.transaction_line import (
     BEGIN_S,
     INDEX,
@@ -52,10 +52,13 @@ def test_an_answer_that_nobody_waits_for_changes_nothing(program):
     assert program.done == []
 
 
-def test_an_answer_may_speak_against_it(program):
-    program.line.submit(program.order("a", 1, against=lambda _answer: NO))
+def test_an_answer_may_speak_against_it_and_is_kept(program):
+    started = Started("a")
+    program.line.submit(program.order("a", 1, against=lambda _answer: NO, started=started))
+    program.wait(STEP_S)
     program.answer()
     assert program.done == [("a", BUSY)]
+    assert (started.answer.at_s, started.answer.params) == (program.now_s, {"index": "0x79"})
 
 
 def test_an_order_without_an_answer_is_done_when_it_is_sent(program):
