@@ -191,7 +191,10 @@ def test_the_operator_converts_zeros_and_undoes_it(app_driver):
     operator = AtTwo(app_driver, OLD, to(OUT), there)
     operator.edit("Other")
     assert "zeros before" in operator.child("editor_other_arm").text()
+    run, convert = operator.child("run_send"), operator.child("convert_zeros")
+    assert [one.property("primary") for one in (convert, run)] == [True, False]
     operator.click("convert_zeros")
+    assert [one.property("primary") for one in (convert, run)] == [False, True]
     document = operator.window.document
     j1, j2, j3, *rest = OUT
     assert document.points[0].target == pytest.approx((j1, j2 - 2.0, j3 + 2.0, *rest))
@@ -202,6 +205,7 @@ def test_the_operator_converts_zeros_and_undoes_it(app_driver):
     operator.do("undo")
     assert (document.points[0].target, document.taught_on) == (OUT, OLD)
     assert operator.child("convert_zeros").isVisible()
+    assert [one.property("primary") for one in (convert, run)] == [True, False]
     operator.do("redo")
     operator.window.save()
     kept = operator.kept.load("Other")

@@ -97,7 +97,7 @@ class EditorJog(Translated, QWidget):
         self.setVisible(wanted)
 
     def give_way(self, asked: bool) -> None:
-        """Leave the primary button to a question that is asked."""
+        """Leave the primary button to what is asked or comes first."""
         show_primary(self._insert, wanted=not asked)
 
     @property
@@ -288,7 +288,7 @@ class EditorPage(Page):
         self._findings.found_changed.connect(self._mark_rows)
         self._findings.found_changed.connect(self.found_changed)
         self._findings.dismissed.connect(self._run_bar.drop_check)
-        self._findings.asks.connect(self._jog.give_way)
+        self._findings.asks.connect(self._show_rank)
         self.document.changed.connect(self._on_points)
         self._controller.cell_changed.connect(self._on_cell_changed)
 
@@ -335,11 +335,18 @@ class EditorPage(Page):
                 self._foot.insertWidget(0, self._jog)
 
     def _show_jog(self) -> None:
-        """Beside the jog buttons, making a point is what is done most: not running."""
+        """Show the jog box, or hide it."""
         jogs = self._actions["jog"].isChecked()
         self._jog.unfold(jogs)
         self._place_jog()
-        self._run_bar.show_secondary(jogs)
+        self._show_rank()
+
+    def _show_rank(self, *_: object) -> None:
+        """Let one button lead: an answer, the conversion, the point made by jogging, or 发送."""
+        asked, converts = self._findings.is_asking, self._other_arm.converts
+        self._other_arm.give_way(asked)
+        self._jog.give_way(asked or converts)
+        self._run_bar.show_secondary(converts or self._actions["jog"].isChecked())
 
     # Editing ----------------------------------------------------------------------------------
 
@@ -359,7 +366,8 @@ class EditorPage(Page):
 
     def _show_arms(self, *_: object) -> None:
         fit = self._controller.operating_state.model_fit
-        self._other_arm.show_arms(self.document.taught_on, fit)
+        if self._other_arm.show_arms(self.document.taught_on, fit):
+            self._show_rank()
 
     def _convert_zeros(self) -> None:
         if self._edits.convert_zeros():

@@ -98,6 +98,11 @@ class FindingsPane(HasActs, Translated, QWidget):
         self.show()
         return self._found(checked)
 
+    @property
+    def is_asking(self) -> bool:
+        """True while it waits for an answer."""
+        return self._accept is not None
+
     def note_run(self, *_: object) -> None:
         """Note that the run of this check has begun."""
         self._runs = True
@@ -162,7 +167,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._fit()
         self._list.setVisible(bool(findings))
         self.accept_button.setVisible(self._accept is not None)
-        self.asks.emit(self._accept is not None)
+        self.asks.emit(self.is_asking)
 
     @accept_button.text
     def _accept_text(self) -> str:

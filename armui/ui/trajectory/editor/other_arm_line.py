@@ -29,20 +29,36 @@ class OtherArmLine(HasActs, Translated, QWidget):
         super().__init__()
         self._taught_on = ""
         self._fit = ModelFit()
+        self._asked = False
         self._message = named("editor_other_arm", MessageLine(keeps_room=False))
         in_row((self._message, 1), self._convert, on=self, spacing=8, margins=0)
         self.hide()
 
-    def show_arms(self, taught_on: str, fit: ModelFit) -> None:
+    def show_arms(self, taught_on: str, fit: ModelFit) -> bool:
         """Compare the arms.
 
         Args:
             taught_on: The arm the trajectory was taught on; "" if not known.
             fit: The connected or chosen arm.
+
+        Returns:
+            True if they are not those of before.
         """
-        if (taught_on, fit) != (self._taught_on, self._fit):
-            self._taught_on, self._fit = taught_on, fit
-            self.retranslate_ui()
+        if (taught_on, fit) == (self._taught_on, self._fit):
+            return False
+        self._taught_on, self._fit = taught_on, fit
+        self.retranslate_ui()
+        return True
+
+    @property
+    def converts(self) -> bool:
+        """True if only the zeros differ: the points can be converted."""
+        return self._fit.zeros_from_deg(self._taught_on) is not None
+
+    def give_way(self, asked: bool) -> None:
+        """Leave the primary button to a question that is asked."""
+        self._asked = asked
+        self.show_acts()
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -52,7 +68,7 @@ class OtherArmLine(HasActs, Translated, QWidget):
             taught=words.arm_kind(self._taught_on), arm=words.arm_kind(self._fit.kind)
         )
         self._message.show_message(text if other else "", Level.WARNING)
-        self._convert.setVisible(self._fit.zeros_from_deg(self._taught_on) is not None)
+        self._convert.setVisible(self.converts)
         self.show_acts()
         self.setVisible(other)
 
@@ -64,6 +80,10 @@ class OtherArmLine(HasActs, Translated, QWidget):
             "Turns the joints of every point by {degrees}, so that the arm comes to the same "
             "place. Poses stay: they count from the base. It can be undone."
         ).format(degrees=each)
+
+    @_convert.lit
+    def _leads(self) -> bool:
+        return self.converts and not self._asked
 
     @_convert.pressed
     def _on_convert(self) -> None:
