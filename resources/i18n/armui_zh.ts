@@ -8424,6 +8424,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂安装方式</translation>
     </message>
     <message>
+        <source>The picture and the check of the floor take the base as upright all the same: place it under Cell, Base.</source>
+        <translation>画面和地面检查仍按底座正立计算：请在“单元”的“底座”中设置其位置。</translation>
+    </message>
+    <message>
         <source>The arm does not answer this and cannot be asked for it: another program, or the arm itself after a power cut, may have another one.</source>
         <translation>机械臂对此不应答，也无法查询：其他程序或断电后的机械臂可能采用不同的设置。</translation>
     </message>

@@ -196,14 +196,16 @@ def test_a_mounting_is_told_in_the_modes_the_arm_is_in_and_kept(mounting, name, 
     key = mounting.device.arm_key(mounting.controller.state.identity.node_number)
     assert mounting.store.settings.mountings == {key: name}
     assert "does not report it back" in mounting.read("end_load_message")
-    assert "Mounting, as last set from here" in mounting.find("mounting_told").text()
+    told = mounting.find("mounting_told").text()
+    assert "Mounting, as last set from here" in told
+    assert ("The picture" in told) is (name != "level")
 
 
 def test_each_arm_has_its_own_mounting(mounting):
     """Kept by the adapter's serial number and the arm's node number."""
 
     def told():
-        return mounting.find("mounting_told").text().rpartition(": ")[2]
+        return mounting.find("mounting_told").text().splitlines()[0].rpartition(": ")[2]
 
     def connect(serial):
         mounting.controller.disconnect_device()

@@ -207,6 +207,12 @@ class MountingCard(HasActs, QFrame):
             text = text.format(mounting=words.mounting(told))
         if cell is not None and cell.placement.is_set:
             text = f"{text}\n{words.mounting_check(cell.placement.mounting, told)}".rstrip()
+        elif told not in {None, Mounting.LEVEL}:
+            upright = self.tr(
+                "The picture and the check of the floor take the base as upright all the same: "
+                "place it under Cell, Base."
+            )
+            text = f"{text}\n{upright}"
         self._told.setText(text)
 
     def retranslate_ui(self) -> None:
