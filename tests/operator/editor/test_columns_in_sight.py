@@ -7,8 +7,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from armui.protocol.codes import MoveMode
+from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
-from armui.trajectory.points.program import Waypoint
+from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.ui.trajectory.library.library_model import LibraryColumn
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from tests.gallery_scenes.trajectories import columns_asked
@@ -43,7 +45,15 @@ def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
     app_driver.window.resize(1280, 800)
     app_driver.click("library_button")
     app_driver.run(0.2)
-    assert app_driver.page(LibraryPage)._table.horizontalScrollBar().maximum() == 0
+    table = app_driver.page(LibraryPage)._table
+    assert table.horizontalScrollBar().maximum() == 0
+    assert table.columnWidth(LibraryColumn.NOTE) >= 160
+    name = "a long name of a trajectory that is whole where there is room"
+    Library(app_driver.library_folder).save(Trajectory(name, points=(BEGIN,)))
+    app_driver.page(LibraryPage).refresh()
+    app_driver.window.resize(1920, 1000)
+    app_driver.run(0.2)
+    assert table.columnWidth(LibraryColumn.NAME) >= table.sizeHintForColumn(LibraryColumn.NAME)
 
 
 @pytest.mark.styled

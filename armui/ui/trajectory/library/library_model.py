@@ -33,7 +33,7 @@ _Column = ViewColumn[Callable[["LibraryModel", IndexEntry], str]]
 class LibraryColumn(ViewColumns):
     """The columns; the note takes the rest of the width, too."""
 
-    NAME = _Column("Name", lambda model, entry: model.name(entry), width_px=142)
+    NAME = _Column("Name", lambda model, entry: model.name(entry), width_px=112)
     POINTS = _Column(
         "Points",
         lambda model, entry: model.count(entry),

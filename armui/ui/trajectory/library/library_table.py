@@ -6,6 +6,7 @@ from collections.abc import Collection
 from typing import Final
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableView
 
 from armui.trajectory.library.store import IndexEntry
@@ -14,6 +15,10 @@ from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint, set_widths
 
 _ROW_PX: Final = 34
+_NAME_PX: Final = 142
+"""Up to this width a name is shown whole before a note is."""
+_NOTE_PX: Final = 200
+"""A width at which most notes are whole."""
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 
@@ -36,12 +41,35 @@ class LibraryTable(QTableView):
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
         self.verticalHeader().setDefaultSectionSize(_ROW_PX)
-        list_rows(self).setStretchLastSection(True)
+        across = list_rows(self)
+        across.setStretchLastSection(True)
+        across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         set_widths(self, LibraryColumn)
+        shown.modelReset.connect(self._make_room)
 
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
         return rows_hint(self, _LEAST_ROWS)
+
+    @property
+    def wanted_px(self) -> int:
+        """The width at which most notes are whole."""
+        others = set(LibraryColumn) - {LibraryColumn.NOTE}
+        return sum(map(self.columnWidth, others), _NOTE_PX)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show names whole as far as the new width allows it."""
+        super().resizeEvent(event)
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Widen the column of the names for them, and then by what the notes leave free."""
+        name, note = LibraryColumn.NAME, LibraryColumn.NOTE
+        missing_px = self.sizeHintForColumn(name) - self.columnWidth(name)
+        free_px = self.columnWidth(note) - max(note.declared.width_px, self.sizeHintForColumn(note))
+        room_px = max(free_px, _NAME_PX - self.columnWidth(name))
+        if missing_px > 0 and room_px > 0:
+            self.setColumnWidth(name, self.columnWidth(name) + min(missing_px, room_px))
 
     def chosen(self) -> list[IndexEntry]:
         """Return the selected entries, from top to bottom."""
