@@ -396,9 +396,9 @@ class PlotBoard(QWidget):
         pane.advance(shown, edge_s, now_s)
         pane.show_missing(self._missing)
         pane.show_cursors(self.cursors_s, edge_s)
-        at_zero = clock_time(self.telemetry.wall_time(edge_s)).partition(".")[0]
-        zero = "" if self.frame.live else at_zero
-        self.times.show_times((shown.begin_s, shown.end_s), pane.ends_px(self.times), zero)
+        at_begin = clock_time(self.telemetry.wall_time(edge_s + shown.begin_s))
+        begin = "" if self.frame.live else at_begin
+        self.times.show_times((shown.begin_s, shown.end_s), pane.ends_px(self.times), begin)
 
     def _seen(self) -> list[PlotPane]:
         return [pane for pane in self.panes if not pane.visibleRegion().isEmpty()]

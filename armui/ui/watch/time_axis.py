@@ -83,31 +83,31 @@ class FigureAxis(pg.AxisItem):  # type: ignore[misc]
 
 
 class TimeStrip(QWidget):
-    """Labels under the plots; at the left the time of day at zero, if it stands still.
+    """Labels under the plots; at the left the time of day at the left end, if it stands still.
 
     Attributes:
-        zero: The time of day at zero as text; "" while it runs.
+        begin: The time of day at the left end as text; "" while it runs.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._span_s = (-1.0, 0.0)
         self._ends_px = (0.0, 1.0)
-        self.zero = ""
+        self.begin = ""
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_times(
-        self, span_s: tuple[float, float], ends_px: tuple[float, float], zero: str
+        self, span_s: tuple[float, float], ends_px: tuple[float, float], begin: str
     ) -> None:
         """Set the time shown.
 
         Args:
             span_s: Its ends, on the axis.
             ends_px: The places of the ends.
-            zero: The time of day at zero.
+            begin: The time of day at the first of them.
         """
-        if (span_s, ends_px, zero) != (self._span_s, self._ends_px, self.zero):
-            self._span_s, self._ends_px, self.zero = span_s, ends_px, zero
+        if (span_s, ends_px, begin) != (self._span_s, self._ends_px, self.begin):
+            self._span_s, self._ends_px, self.begin = span_s, ends_px, begin
             self.update()
 
     def labels(self) -> list[tuple[float, str]]:
@@ -130,9 +130,9 @@ class TimeStrip(QWidget):
         painter = QPainter(self)
         painter.setPen(QColor(colors_of(self).muted))
         taken = 0.0
-        if self.zero:
-            taken = self.fontMetrics().horizontalAdvance(self.zero) + 8.0
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, self.zero)
+        if self.begin:
+            taken = self.fontMetrics().horizontalAdvance(self.begin) + 8.0
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, self.begin)
         for x, text in self.labels():
             width = self.fontMetrics().horizontalAdvance(text)
             left = min(x - width / 2, self.width() - width)

@@ -1,5 +1,7 @@
 """Zoom, pause, undo and cursors, with the mouse."""
 
+from datetime import datetime, time
+
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -36,6 +38,10 @@ def test_a_frame_zooms_every_plot_and_undo_leads_back(plots):
     for begin_s, end_s in ranges(plots):
         assert begin_s == pytest.approx(-20.0, abs=0.2)
         assert end_s == pytest.approx(-10.0, abs=0.2)
+    left_s = plots.board.edge_s() + ranges(plots)[0][0]
+    at_left = plots.board.telemetry.wall_time(left_s)
+    told = datetime.combine(at_left, time.fromisoformat(plots.board.times.begin), at_left.tzinfo)
+    assert told.timestamp() == pytest.approx(at_left.timestamp(), abs=1.0), "it is the left end's"
     assert plots.window.bar.pause.isChecked()
     assert plots.window.bar.spans.currentText() != "30 s"
     plots.click("plot_undo")
