@@ -9363,10 +9363,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>电机失能：{joints}</translation>
     </message>
     <message>
-        <source>J{joint} {item} {word}</source>
-        <translation>J{joint} {item}{word}</translation>
-    </message>
-    <message>
         <source>J{joint} beyond its angle limit</source>
         <translation>J{joint} 超出角度限位</translation>
     </message>
@@ -9409,6 +9405,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The gripper&apos;s reading jumps from {before} to {after} {unit} within {within_ms} ms, faster than any gripper: its angle has wrapped, its zero was set, or a second arm answers</source>
         <translation>夹爪读数在 {within_ms} ms 内从 {before} 跳到 {after} {unit}，任何夹爪都没有这么快：角度回绕、设置了零位，或有第二台机械臂在应答</translation>
+    </message>
+    <message>
+        <source>J{joint} {item}: {word}</source>
+        <translation>J{joint} {item}：{word}</translation>
     </message>
     <message>
         <source>Answered with 0x476 (setting {index})</source>

@@ -72,7 +72,7 @@ def test_every_sentence_of_the_code_reads_as_words(
     def check_words(each: Constant) -> None:
         for source in (each.source, *each.more):
             text = sentence(each.context, source, {})
-            only_figures = not re.sub(r"J?\{\w+\}| ", "", source)
+            only_figures = not re.sub(r"J?\{\w+\}|[: ]", "", source)
             assert has_chinese(text) or language == "en" or only_figures
             assert "{" not in text
 

@@ -27,7 +27,7 @@ TEACHING = Observed("teaching", "Drag teaching: {before} → {state}")
 MOTION = Observed("motion", "Target not reached", streams=True)
 MOTORS_ON = Observed("motors_on", "Motors enabled: {joints}")
 MOTORS_OFF = Observed("motors_off", "Motors disabled: {joints}")
-JOINT_FAULT = Observed("joint_fault", "J{joint} {item} {word}")
+JOINT_FAULT = Observed("joint_fault", "J{joint} {item}: {word}")
 BEYOND_LIMIT = Observed("beyond_limit", "J{joint} beyond its angle limit")
 GRIPPER_FAULT = Observed("gripper_fault", "Gripper: {fault}")
 LIMITS_UNUSABLE = Observed(

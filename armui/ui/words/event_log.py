@@ -168,7 +168,7 @@ _FIGURES: Final[Mapping[Observed, Mapping[str, Callable[[Any], str]]]] = {
     MOTORS_ON: {"joints": _joints},
     MOTORS_OFF: {"joints": _joints},
     JOINT_FAULT: {
-        "item": lambda name: joint_item(Item[name]),
+        "item": lambda name: joint_item(Item[name]).rstrip(":"),
         "word": lambda name: joint_word(Word[name]),
     },
     GRIPPER_FAULT: {"fault": lambda name: gripper_fault(GripperFault(name))},

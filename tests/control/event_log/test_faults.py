@@ -171,7 +171,7 @@ def test_a_row_has_the_words_of_the_table(rig, language, translated):
     rig.run_until(lambda: log.all_go_on([hot]))
     text = words.entry_text(log.find(hot))
     assert "J4" in text
-    assert joint_item(Item.MOTOR_TEMPERATURE) in text
+    assert joint_item(Item.MOTOR_TEMPERATURE).rstrip(":") in text
     assert joint_word(Word.TOO_HOT) in text
 
 
