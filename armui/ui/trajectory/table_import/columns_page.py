@@ -144,7 +144,6 @@ class ColumnsPage(Page):
         self._speed.setValue(columns.SPEED_PERCENT)
         self._speed.setSuffix(" %")
         self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._speed.setFixedHeight(_FIELD_PX)
         self._of = drop_down("columns_of")
         self._in = drop_down("columns_in")
         self._name = named("columns_name", QLineEdit())
@@ -166,6 +165,7 @@ class ColumnsPage(Page):
         )
         for label, field in pairs:
             label.setBuddy(field)
+            field.setFixedHeight(_FIELD_PX)
         choices = in_flow(*(pair(label, field) for label, field in pairs), self._in, spacing_px=10)
         said = in_row((self._message, 1), *self._units.values())
         fill(self.body, self._source, self._dialect_bar, choices, (self._table, 1), said)

@@ -35,6 +35,7 @@ from armui.ui.widgets.table_model import RIGHT, Index, TableModel
 from armui.ui.widgets.text_label import ElidedLabel
 from armui.ui.widgets.translated import Translated
 
+_LINE_PX: Final = 20
 _MARGIN_PX: Final = 3
 _SURE: Final = 1.0
 """The confidence of a guess whose title names quantity and unit."""
@@ -69,6 +70,8 @@ class ColumnPicker(Translated, QWidget):
         self._unit = _Choice(f"column_unit_{number}")
         self._origin = named(f"column_origin_{number}", ElidedLabel())
         self._origin.setProperty("rank", "warning")
+        for label in (self._title, self._origin):  # Chinese is higher, and so is any text than none
+            label.setFixedHeight(_LINE_PX)
         parts = (self._title, self._quantity, self._unit, self._origin)
         in_column(*parts, on=self, spacing=4, margins=(_MARGIN_PX, 0, _MARGIN_PX, 0))
         if guess.column is not None:

@@ -34,7 +34,6 @@ class DialectBar(Translated, QWidget):
         self._decimal = _choice("dialect_decimal", DECIMALS)
         self._line = named("dialect_line", _Line())
         self._line.setKeyboardTracking(False)
-        self._line.setFixedHeight(_FIELD_PX)
         self._line.setMinimumWidth(90)
         self._line.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
@@ -42,6 +41,7 @@ class DialectBar(Translated, QWidget):
         self._said: set[QWidget] = set()
         for label, field in zip(self._labels, self._fields, strict=True):
             label.setBuddy(field)
+            field.setFixedHeight(_FIELD_PX)
         in_flow(*map(pair, self._labels, self._fields), on=self, spacing_px=10)
         for box in (self._encoding, self._delimiter, self._decimal):
             box.activated.connect(lambda _place, box=box: self._on_said(box))
