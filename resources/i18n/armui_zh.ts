@@ -6830,6 +6830,10 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>基坐标系</translation>
     </message>
     <message>
+        <source>in the base</source>
+        <translation>基坐标值</translation>
+    </message>
+    <message>
         <source>figures in “{name}”</source>
         <translation>数值：“{name}”坐标系</translation>
     </message>

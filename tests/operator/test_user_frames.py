@@ -294,6 +294,12 @@ def test_without_a_frame_its_button_says_what_to_do(app_driver):
     assert not button.isEnabled()
     assert "Choose one under Cell" in button.toolTip()
     assert app_driver.find("shown_frame_box").currentText() == "in the base frame"
+    app_driver.click(Editor(app_driver, Waypoint(MoveMode.MOVE_J, BENT_DEG)).child("editor_jog"))
+    insert = app_driver.find("box_insert").geometry()
+    assert app_driver.read("box_frame") == ""
+    app_driver.click("box_tool")
+    assert app_driver.read("box_frame") == "in the base", "it moves by other axes than it shows"
+    assert app_driver.find("box_insert").geometry() == insert
 
 
 def test_the_jog_box_of_the_editor_names_the_frame_and_goes_along_it(moved):

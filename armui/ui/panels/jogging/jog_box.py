@@ -281,15 +281,15 @@ class JogBox(Translated, QFrame):
         cell = self._controller.cell.cell
         has_frames = cell is not None and bool(cell.all_frames)
         self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
-        self._frame.setVisible(has_frames)
-        text = self.tr("figures in “{name}”")
-        if frame is None or self.kind in {JogKind.JOINTS, JogKind.GRIPPER}:
-            self._frame.setText("")
-        else:
-            self._frame.setText(text.format(name=fmt.short(frame.name)))
-        # the room stays when the frame goes by itself, so that no button moves
-        width_px = self._frame.sizeHint().width()
-        self._frame.setMinimumWidth(max(self._frame.minimumWidth(), width_px))
+        text, in_base = "", self.tr("in the base")
+        if frame is not None and self.kind not in {JogKind.JOINTS, JogKind.GRIPPER}:
+            text = self.tr("figures in “{name}”").format(name=fmt.short(frame.name))
+        elif self.kind is JogKind.TOOL:
+            text = in_base
+        self._frame.setText(text)
+        # the room stays when the text goes, so that no button moves
+        widest_px = max(map(self._frame.fontMetrics().horizontalAdvance, (text, in_base)))
+        self._frame.setMinimumWidth(max(self._frame.minimumWidth(), widest_px))
 
     @property
     def _motion_frame(self) -> MotionFrame:
@@ -427,6 +427,7 @@ class JogBox(Translated, QFrame):
         }
         for kind, text in texts.items():
             caption(self._choices[kind], text)
+        self._frame.setMinimumWidth(0)
         self._name_frame()
         self._speed.setAccessibleName(self.tr("Speed"))
         self._speed.setToolTip(
