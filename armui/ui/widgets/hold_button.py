@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, QVariantAnimation, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QPaintEvent
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QVariantAnimation, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import QPushButton, QToolTip
 
 from armui.control.operations.started import ARM_CHANGED
@@ -23,13 +23,13 @@ HOLD_MS: Final = 1000
 """The time of holding: long enough to be intended, short enough to wait for."""
 
 _HINT_MS: Final = 4000
-_SIDE_PX: Final = 8.0
-_BELOW_PX: Final = 5.0
-_LINE_PX: Final = 2.0
+_TRACK_PX: Final = 3.0
+_FOCUS_PX: Final = 2.0
+"""The border of the style sheet around what has the focus."""
 
 
 class HoldButton(Translated, QPushButton):
-    """A button that acts when held by mouse or space bar for a second; a line shows the progress.
+    """A button that acts when held by mouse or space bar for a second; its lower edge fills up.
 
     Releasing it, leaving it, or its loss of the focus, disabling and hiding all cancel the hold. A
     mere click only shows a line at the button that it must be held; its tooltip says so, too. It
@@ -127,15 +127,17 @@ class HoldButton(Translated, QPushButton):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the line along the lower edge, and how far it is filled."""
+        """Draw a track along the lower edge, within its corners, and how far it is filled."""
         super().paintEvent(event)
-        colors = colors_of(self)
-        line = QRectF(self.rect()).adjusted(_SIDE_PX, self.height() - _BELOW_PX, -_SIDE_PX, 0)
-        line.setHeight(_LINE_PX)
+        colors, inset = colors_of(self), _FOCUS_PX if self.hasFocus() else 0.0
+        ground = QRectF(self.rect()).adjusted(inset, inset, -inset, -inset)
+        shape = QPainterPath()
+        shape.addRoundedRect(ground, painting.CORNER_PX - inset, painting.CORNER_PX - inset)
+        track = ground.adjusted(0.0, ground.height() - _TRACK_PX, 0.0, 0.0)
+        filled = QRectF(track)
+        filled.setWidth(self.share * track.width())
         painter = painting.begin(self)
-        painter.setPen(Qt.PenStyle.NoPen)
-        for share, color in ((1.0, colors.faint), (self.share, colors.warn)):
-            painter.setBrush(QColor(color))
-            line.setWidth(share * (self.width() - 2 * _SIDE_PX))
-            painter.drawRect(line)
+        painter.setClipPath(shape)
+        painter.fillRect(track, QColor(colors.border))
+        painter.fillRect(filled, QColor(colors.warn))
         painter.end()
