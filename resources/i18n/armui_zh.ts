@@ -11147,12 +11147,6 @@ pose</source>
         <translation>解除急停</translation>
     </message>
     <message>
-        <source>Release cuts the power of the motors: the arm will drop. Hold the arm.
-Afterwards the motors must be enabled again.</source>
-        <translation>解除急停会切断电机电源：机械臂会下落，请扶住机械臂。
-之后须重新使能电机。</translation>
-    </message>
-    <message>
         <source>Enable</source>
         <translation>使能</translation>
     </message>
@@ -11163,10 +11157,6 @@ Afterwards the motors must be enabled again.</source>
     <message>
         <source>Reset…</source>
         <translation>复位…</translation>
-    </message>
-    <message>
-        <source>First the emergency stop: the motors go limp and the arm sinks. Then Release cuts their power: the arm will drop. Hold the arm from now on.</source>
-        <translation>先急停：电机失去保持力，机械臂会缓慢下沉；随后解除急停会断电：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Stop recording</source>
@@ -11217,8 +11207,18 @@ Afterwards the motors must be enabled again.</source>
         <translation>收回控制…</translation>
     </message>
     <message>
+        <source>Release ends the braking by the motors: the arm will drop. Hold the arm.
+Afterwards the motors must be enabled again.</source>
+        <translation>解除急停会结束电机的阻尼：机械臂会下落，请扶住机械臂。
+之后须重新使能电机。</translation>
+    </message>
+    <message>
         <source>Reset the arm</source>
         <translation>复位机械臂</translation>
+    </message>
+    <message>
+        <source>First the emergency stop: the motors only brake and the arm sinks. Then Release ends even that: the arm will drop. Hold the arm from now on.</source>
+        <translation>先急停：电机只起阻尼作用，机械臂会缓慢下沉；随后解除急停，阻尼也消失：机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Lead the arm by hand</source>
@@ -11357,6 +11357,10 @@ The other program must have ended.</source>
     <message>
         <source>Waiting for the arm: {what}.</source>
         <translation>等待机械臂：{what}。</translation>
+    </message>
+    <message>
+        <source>Emergency stop: the motors only brake. Support the arm: released, it drops.</source>
+        <translation>急停中：电机只起阻尼作用。请扶住机械臂：解除急停后机械臂会下落。扶稳后再解除。</translation>
     </message>
     <message>
         <source>Emergency stop. Support the arm: its release drops it and makes it a teaching input, deaf even to the stop.</source>
@@ -11517,10 +11521,6 @@ The other program must have ended.</source>
     <message>
         <source>The CAN device is gone: no stop reaches the arm. Cut its power if it moves. Plug the device in again, or choose another one.</source>
         <translation>CAN 设备已断开，停止指令到不了机械臂：若它在运动，请切断其电源。请重新插好设备，或选择其他设备。</translation>
-    </message>
-    <message>
-        <source>Emergency stop. Support the arm: its release cuts the power and it drops.</source>
-        <translation>急停中。请扶住机械臂：解除急停时会断电，机械臂会下落。扶稳后再解除。</translation>
     </message>
     <message>
         <source>Too hot, joint {joints}: {temperature} °C. Let the arm cool down; the message goes by itself.</source>

@@ -70,7 +70,7 @@ def test_an_arm_that_moves_is_not_called_ready(ready):
 
 def test_from_the_stop_back_to_ready(ready):
     ready.click("stop_button")
-    reads(ready, "its release cuts the power and it drops")
+    reads(ready, "the motors only brake. Support the arm: released, it drops")
     ready.heard()
     assert "the arm will drop. Hold the arm" in ready.find("recovery_hold_button").toolTip()
     ready.hold_button("recovery_hold_button")
@@ -136,7 +136,7 @@ def test_a_reset_is_asked_about_and_then_led_to_its_end(ready):
     assert "the arm will drop" in ready.dialog(ConfirmDialog).text()
     ready.heard()
     ready.confirm()
-    reads(ready, "its release cuts the power")
+    reads(ready, "released, it drops")
     assert STOP in ready.heard()
     ready.firmware.condition.communication_fault[3] = False
     ready.hold_button("recovery_hold_button")
@@ -189,7 +189,7 @@ def test_left_over_drag_teaching_is_left_step_by_step(ready):
     reads(ready, "near the rest pose")
     press(ready, "Reset…")
     ready.confirm()
-    reads(ready, "its release cuts the power")
+    reads(ready, "released, it drops")
     ready.hold_button("recovery_hold_button")
     reads(ready, "motors are off")
     press(ready, "Enable")
@@ -222,7 +222,7 @@ def test_nothing_moves_in_the_window_when_a_fault_comes_and_goes(ready):
         for name in ("recovery_line", "operation_area", "stop_button", "menu_light")
     }
     ready.click("stop_button")
-    reads(ready, "its release cuts the power")
+    reads(ready, "released, it drops")
     assert ready.controller.operating_state.stop is StopState.STOPPED
     for name, place in places.items():
         assert ready.find(name).mapTo(ready.window, ready.find(name).rect().center()) == place

@@ -192,7 +192,7 @@ def test_a_joint_with_a_fault_has_another_mark_though_it_is_enabled(enable, cont
 
 
 def test_in_an_emergency_stop_the_motors_are_not_called_disabled(enable, controller):
-    """Resuming is what cuts their power."""
+    """The motors brake until the release, though they report disabled."""
     off = operating_state(enabled=(False,) * 6, stop=StopState.STOPPED)
     controller.be(off)
     assert enable.text() == "Stopped"

@@ -41,7 +41,7 @@ class Action(enum.Enum):
         "resume",
         "Release (the arm drops)",
         "Release the emergency stop",
-        "Release cuts the power of the motors: the arm will drop. Hold the arm.\n"
+        "Release ends the braking by the motors: the arm will drop. Hold the arm.\n"
         "Afterwards the motors must be enabled again.",
         held=True,
     )
@@ -52,8 +52,8 @@ class Action(enum.Enum):
         "reset",
         "Reset…",
         "Reset the arm",
-        "First the emergency stop: the motors go limp and the arm sinks. Then Release cuts their "
-        "power: the arm will drop. Hold the arm from now on.",
+        "First the emergency stop: the motors only brake and the arm sinks. Then Release ends even "
+        "that: the arm will drop. Hold the arm from now on.",
     )
     """The arm gets an emergency stop; its release is the next step."""
     STOP_RECORDING = ActionText("stop_recording", "Stop recording")
@@ -193,7 +193,7 @@ class StepKind(enum.Enum):
     LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
     WORKING = StepText("working", "Waiting for the arm: {what}.")
     STOPPED = StepText(
-        "stopped", "Emergency stop. Support the arm: its release cuts the power and it drops."
+        "stopped", "Emergency stop: the motors only brake. Support the arm: released, it drops."
     )
     STOPPED_INPUT = StepText(
         "stopped_input",

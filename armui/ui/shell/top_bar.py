@@ -190,8 +190,8 @@ def _meaning(now: OperatingState, end: Reading[EndLimits] | None, mode: int | No
 class EnableButton(Translated, QAbstractButton):
     """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard.
 
-    After an emergency stop the word is that of the stop: the motors report disabled, but resuming
-    is what cuts their power. Of an arm that moves by itself it is what the arm does: «Stopped» is
+    After an emergency stop the word is that of the stop: the motors report disabled, but still
+    brake until the release. Of an arm that moves by itself it is what the arm does: «Stopped» is
     said once it is measured at rest. A joint with a fault has a ring with «!», enabled or not.
     """
 
