@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtWidgets import QBoxLayout, QSizePolicy, QWidget
 
 from armui.ui.widgets.layouts import in_row
 
@@ -20,7 +20,8 @@ class StepRow(QWidget):
     """Has one height at all times: when a run begins, or its end is put away, nothing moves.
 
     A run takes the place of a step that says no more than the run itself. Of an obstacle both are
-    shown: the step on the left, the buttons of the run where they were.
+    shown: the step on the left of a run's buttons, which stay where they were; on the right of the
+    words that are left of a run that is over.
 
     Args:
         controller: Gives the state of runs.
@@ -64,6 +65,8 @@ class StepRow(QWidget):
         self._recovery.setHidden(with_run and not beside)
         if strip is not None:
             strip.stand_beside(beside)
+            way = QBoxLayout.Direction
+            self._row.setDirection(way.RightToLeft if strip.stands_first else way.LeftToRight)
             self._row.setStretchFactor(strip, 0 if beside else 1)
 
     def sizeHint(self) -> QSize:

@@ -104,7 +104,7 @@ def test_its_end_goes_at_the_first_press_anywhere_which_does_what_it_is_for(runn
     assert not strip(running)._ends.isActive()
 
 
-def test_an_end_by_a_failure_is_told_until_the_next_press(running):
+def test_an_end_by_a_failure_is_told_until_it_is_put_away(running):
     driver = running.driver
     driver.controller.player._fail(SPEED_ZERO())
     told = driver.read("run_text")
@@ -112,7 +112,10 @@ def test_an_end_by_a_failure_is_told_until_the_next_press(running):
     assert "The speed is set to 0 %" in told
     assert not strip(running)._ends.isActive()
     driver.click("menu_gripper")
-    driver.wait(lambda: not strip(running).isVisible())
+    driver.run(0.2)
+    assert strip(running).isVisible()
+    driver.click("run_close")
+    assert not strip(running).isVisible()
 
 
 def test_an_end_by_a_lost_connection_is_told_where_it_is_seen(running):
@@ -151,8 +154,11 @@ def test_an_obstacle_stands_beside_it_and_its_end_is_told_as_long(running, width
     parts = [running.driver.find(name) for name in ("recovery_text", "run_name", "run_text")]
     assert all(each.isVisible() and each.width() > 100 for each in parts)
     assert not rect_in_window(button).intersects(rect_in_window(strip(running)))
-    # put away, it would slide the button of the obstacle under the pointer
-    assert not running.driver.find("run_close").isVisible()
+    place = rect_in_window(button)
+    running.driver.click("run_close")
+    running.driver.run(0.1)
+    assert rect_in_window(button) == place, "the words of the run gave way"
+    strip(running).show()
     running.driver.click(running.driver.find("recovery_text"))
     assert strip(running).isVisible()
     running.driver.hold_button(button)

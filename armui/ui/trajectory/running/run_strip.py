@@ -40,12 +40,12 @@ _BAR_PX: Final = 100
 _ICON_PX: Final = 16
 _MARGIN_PX: Final = 16
 _TOP_PX: Final = 6
-_GAP_PX: Final = 10
+_SIDE_PX: Final = _MARGIN_PX + 10
 _LEAST_PX: Final = 220
-"""The width that the run's words have at least beside an obstacle."""
+"""The width that the run's words have beside an obstacle, but where its buttons were."""
 _UNBOUNDED_PX: Final = 10_000
 END_MS: Final = 5000
-"""The time that the end of a run is told; one that failed is told until the next press."""
+"""The time that the end of a run is told; one that failed is told until it is put away."""
 _SAID: Final = frozenset({RUN_SPEED_ZERO, RUN_STOPPED})
 """The reasons that the word of the phase tells."""
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress})
@@ -54,13 +54,14 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress}
 class RunStrip(HasActs, Translated, QWidget):
     """Visible from the beginning of a run until 5 s after its end, or the first press after it.
 
-    It follows every run, of points or of a recording.
+    A run that failed is told until it is put away. It follows every run, of points or of a
+    recording.
 
     Args:
         controller: Gives the run.
 
     Signals:
-        turned: It is shown now, or was put away.
+        turned: It is shown now, was put away, or stands on the other side of an obstacle.
     """
 
     turned = Signal()
@@ -95,7 +96,8 @@ class RunStrip(HasActs, Translated, QWidget):
         self._bar.setTextVisible(False)
         self._bar.setFixedWidth(_BAR_PX)
         self._told = QWidget()
-        self._beside = False
+        self._beside = self._stood_first = False
+        self._buttons_px = 0
         self._ends = QTimer(self, singleShot=True, interval=END_MS)
         self._ends.timeout.connect(self._on_told)
         self._tells_end = False
@@ -103,9 +105,9 @@ class RunStrip(HasActs, Translated, QWidget):
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         in_row((lines, 1), self._bar, on=self._told, spacing=12, margins=0)
-        row = in_row((self._told, 1), self._next, on=self, spacing=12)
-        fill(row, self._pause, self._continue, self._stop, self._close)
-        row.setContentsMargins(_MARGIN_PX + _GAP_PX, _TOP_PX, _MARGIN_PX + _GAP_PX, 0)
+        self._row = in_row((self._told, 1), self._next, on=self, spacing=12)
+        fill(self._row, self._pause, self._continue, self._stop, self._close)
+        self._row.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, 0)
         self._runner.progressed.connect(self._on_progress)
         controller.operating_state_changed.connect(self._on_operating_state)
         self.retranslate_ui()
@@ -124,8 +126,16 @@ class RunStrip(HasActs, Translated, QWidget):
         shown = (each for each in (self._continue, self._next) if each.isVisible())
         return next(shown, None)
 
+    @property
+    def stands_first(self) -> bool:
+        """True if it has no buttons beside an obstacle, whose own then stand where they always do.
+
+        Where it had some, their room is kept: no other button comes under the finger.
+        """
+        return self._beside and not self._runner.running and not self._buttons_px
+
     def stand_beside(self, wanted: bool) -> None:
-        """Leave room for an obstacle on the left; its own buttons stay where they are.
+        """Leave room for an obstacle; its own buttons stay where they are.
 
         Args:
             wanted: Whether there is one.
@@ -182,19 +192,25 @@ class RunStrip(HasActs, Translated, QWidget):
         RunStrip._pause.show(self)
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
-        self._close.setVisible(not running and not self._beside)
         self._told.setVisible(not (running and self._beside))
-        self._told.setMaximumWidth(_LEAST_PX if self._beside else _UNBOUNDED_PX)
-        self._told.setMinimumWidth(_LEAST_PX if self._beside else 0)
+        if running:  # beside an obstacle its end takes their room: the obstacle's button stays
+            self._buttons_px = self._row.sizeHint().width() - 2 * _SIDE_PX if self._beside else 0
+        self._close.setVisible(not running and (self.stands_first or not self._beside))
+        told_px = self._buttons_px or _LEAST_PX
+        self._told.setMaximumWidth(told_px if self._beside else _UNBOUNDED_PX)
+        self._told.setMinimumWidth(told_px if self._beside else 0)
         self._bar.setVisible(not self._beside)
         self._tell_end(wanted=self.isVisible() and not running)
         self.update()
+        if self.stands_first != self._stood_first:
+            self._stood_first = self.stands_first
+            self.turned.emit()
 
     def _tell_end(self, *, wanted: bool) -> None:
         """Begin to tell the end of a run, which goes by itself or at the first press anywhere.
 
-        Beside an obstacle no press puts it away, which would slide the obstacle's button under the
-        pointer.
+        One that failed is put away by its own button alone. Beside an obstacle no press elsewhere
+        puts it away, which might slide the obstacle's button under the pointer.
         """
         app = QApplication.instance()
         if wanted == self._tells_end or app is None:
@@ -204,8 +220,8 @@ class RunStrip(HasActs, Translated, QWidget):
             self._ends.stop()
             app.removeEventFilter(self)
             return
-        app.installEventFilter(self)
         if self._runner.progress.phase is not RunPhase.FAILED:
+            app.installEventFilter(self)
             self._ends.start()
 
     def _on_told(self) -> None:
