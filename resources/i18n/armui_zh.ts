@@ -10873,6 +10873,10 @@ pose</source>
 <context>
     <name>Reached</name>
     <message>
+        <source>Target left again</source>
+        <translation>已离开指定点</translation>
+    </message>
+    <message>
         <source>Target reached</source>
         <translation>已达指定点</translation>
     </message>

@@ -47,7 +47,7 @@ def test_after_the_stop_everything_says_that_it_sinks_until_it_rests(raised):
     assert raised.controller.operating_state.uncommanded is None
     assert raised.read("enable_button") == "Stopped"
     assert raised.find("stop_button")._caption() == "The arm is at rest"
-    assert raised.read("recovery_text").startswith("Emergency stop. ")
+    assert raised.read("recovery_text").startswith("Emergency stop: ")
     assert raised.find("status_motion").isHidden()
     assert places(raised) == before
 

@@ -117,7 +117,7 @@ def check_the_sinking_of(rig, pose_deg):
     truth.run(OVER_S)
     assert seen(rig) is None
     assert rig.controller.operating_state.stop is StopState.STOPPED
-    assert line(rig).startswith("Emergency stop. ")
+    assert line(rig).startswith("Emergency stop: ")
 
     told = [(at_s, event) for at_s, event in told if event.code.startswith("arm_")]
     codes = [event.code for _, event in told]

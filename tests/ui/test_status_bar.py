@@ -11,6 +11,7 @@ from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.joint_motion import JOGGED
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.stopping import STOP_UNCONFIRMED
+from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion, Unheld
 from armui.ui.shell.status_bar import StatusBar
 from armui.ui.theme import DARK, LIGHT, Theme, apply_theme
 from tests.ui.arm_states import NOW_S, arm_state, operating_state
@@ -56,6 +57,13 @@ def test_codes_in_words(bar, controller):
     assert bar.findChild(QLabel, "status_teaching").isHidden()
     assert bar.findChild(QLabel, "status_joints").isHidden()
     assert ink(bar, "status_arm") == LIGHT.text
+    sinks = UncommandedMotion(MotionKind.SINKS, Unheld.STOPPED)
+    controller.be(operating_state(uncommanded=sinks))
+    assert text(bar, "status_reached") == "Target left again"
+    controller.be(operating_state())  # it rests elsewhere, and still reports its target as reached
+    assert text(bar, "status_reached") == "Target left again"
+    controller.be(operating_state(moving=True))
+    assert text(bar, "status_reached") == "Target reached"
 
 
 def test_unknown_codes_keep_their_number(bar, controller):

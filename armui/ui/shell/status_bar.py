@@ -16,7 +16,7 @@ from armui.arm.state import ArmState, Status
 from armui.control.events import Event, Level
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
-from armui.control.safety.uncommanded_motion import UncommandedMotion
+from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
 from armui.protocol.codes import AT_WORK, ArmStatusCode, TeachingState
 from armui.system.failures import Failure
 from armui.telemetry.events import EventKind
@@ -49,6 +49,8 @@ _WARNINGS: Final = frozenset(
         ArmStatusCode.OVERSPEED_WHILE_TEACHING,
     }
 )
+_LEAVES: Final = frozenset({MotionKind.SINKS, MotionKind.MOVES, MotionKind.LED})
+"""What is measured of an arm that leaves the target that it reports as reached."""
 _ICON_PX: Final = 16
 _QUANTITIES: Final = {
     "control": ("arm.control_mode",),
@@ -220,7 +222,8 @@ class StatusBar(Translated, QWidget):
         self._event: Event | None = None
         self._entry: int | None = None
         self._problem: tuple[datetime, Refusal] | None = None
-        self._shown: tuple[Status | None, bool, str] | None = None
+        self._shown: tuple[Status | None, bool, str, bool] | None = None
+        self._left = False
         self._notice_icon = QLabel()
         self._notice_label = named("notice_label", ElidedLabel())
         self._notice_label.installEventFilter(self)
@@ -320,7 +323,9 @@ class StatusBar(Translated, QWidget):
         stale = is_stale(heard, state, self._controller.operating_state)
         now = self._controller.operating_state
         self._show_motion(now.uncommanded)
-        shown = (None if heard is None else heard.value, stale, _foreign_mode(now))
+        self._left |= now.uncommanded is not None and now.uncommanded.kind in _LEAVES
+        self._left &= heard is not None and heard.value.reached and not now.moving
+        shown = (None if heard is None else heard.value, stale, _foreign_mode(now), self._left)
         if shown != self._shown:
             self._shown = shown
             self._spell_out(*shown)
@@ -333,13 +338,13 @@ class StatusBar(Translated, QWidget):
             self._motion_label.setVisible(bool(text))
             set_rank(self._motion_label, "warning" if motion and motion.is_danger else "")
 
-    def _spell_out(self, status: Status | None, stale: bool, foreign_mode: str) -> None:
+    def _spell_out(self, status: Status | None, stale: bool, mode: str, left: bool) -> None:
         """Put the codes into words; ``None`` is a status that has never been heard."""
-        texts = self._texts_of(status, foreign_mode)
+        texts = self._texts_of(status, mode, left=left)
         # an alarm is given only by what is heard now: an old status may no longer hold
         alarm = None if stale or status is None else self._alarm(status)
         ranks = self._ranks(alarm, muted=stale or status is None)
-        if foreign_mode and not stale:
+        if mode and not stale:
             ranks["mode"] = "warning"
         self._labels["control"].setToolTip(
             "" if status is None else words.control_mode(status.control_mode)
@@ -356,7 +361,7 @@ class StatusBar(Translated, QWidget):
             color = colors.warn if alarm == "warning" else colors.stop_ink
             self._draw_warning(self._status_icon, color)
 
-    def _texts_of(self, status: Status | None, foreign_mode: str) -> dict[str, str]:
+    def _texts_of(self, status: Status | None, mode: str, *, left: bool) -> dict[str, str]:
         """Return the text of each label by its name; a label without one is hidden."""
         if status is None:
             texts = dict.fromkeys(("control", "arm", "mode", "reached"), fmt.NOTHING)
@@ -364,8 +369,8 @@ class StatusBar(Translated, QWidget):
             texts = {
                 "control": words.control_mode_short(status.control_mode),
                 "arm": words.arm_status(status.arm_status),
-                "mode": self._mode(status.move_mode, foreign_mode),
-                "reached": words.reached(status.reached),
+                "mode": self._mode(status.move_mode, mode),
+                "reached": words.reached(status.reached, left=left),
             }
             if status.teaching != TeachingState.OFF:
                 texts["teaching"] = words.teaching_now(status)

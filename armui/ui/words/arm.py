@@ -384,8 +384,15 @@ def teaching_now(status: Status) -> str:
     return teaching(status.teaching)
 
 
-def reached(is_reached: bool) -> str:
-    """Return whether the arm has arrived, byte 4, in words («已达指定点»)."""
+def reached(is_reached: bool, *, left: bool = False) -> str:
+    """Return whether the arm has arrived, byte 4, in words («已达指定点»).
+
+    Args:
+        is_reached: As the arm reports it; it stays so when the arm sinks from there.
+        left: True if the arm is measured to move since, though nothing told it to.
+    """
+    if is_reached and left:
+        return QCoreApplication.translate("Reached", "Target left again")
     if is_reached:
         return QCoreApplication.translate("Reached", "Target reached")
     return QCoreApplication.translate("Reached", "Target not reached")
