@@ -222,6 +222,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         recovery = RecoveryLine(
             self._controller, self._opening("connect"), self._opening("reference")
         )
+        recovery.stand_back_for(self._work_area)
         run = self._run = StepRow(self._controller, recovery)
         self._trajectory_pages.run_asks.connect(recovery.show_asking)
         self.window_actions.link(

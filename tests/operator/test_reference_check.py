@@ -45,6 +45,8 @@ def test_it_is_said_in_the_line_the_joint_status_and_the_events(lost):
     line = lost.find("recovery_text").text()
     assert line.startswith("Joint 5 left its place uncommanded while it was enabled")
     assert lost.find("recovery_button").text() == "Reference check…"
+    assert lost.find("recovery_button").property("primary")
+    assert not lost.find("recovery_other_button").property("primary")
     lost.click("joint_status_button")
     assert lost.find("joint_status_reference").text().startswith("Joint 5 may stand elsewhere")
     (event,) = [each for each in lost.events if each.code == "reference_left"]

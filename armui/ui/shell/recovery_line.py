@@ -90,6 +90,7 @@ class RecoveryLine(Translated, QWidget):
         self._texts: tuple[str, ...] = ("",)
         begun = controller.operating_state.link is not LinkState.NO_DEVICE
         self._step = controller.recovery.step if begun else NO_DEVICE
+        self._area: QWidget | None = None
         self._pressed = self._step
         self._pressed_for = controller.mark
         self._icon = QLabel()
@@ -126,6 +127,11 @@ class RecoveryLine(Translated, QWidget):
         """The button that carries out the next step, or ``None`` if there is none."""
         shown = (each for each in (self._button, self._hold_button) if each.isVisible())
         return next(shown, None)
+
+    def stand_back_for(self, area: QWidget) -> None:
+        """Leave the highlight to a button that is highlighted in an area of the window."""
+        self._area = area
+        self._controller.state_changed.connect(self._highlight)
 
     def show_asking(self, name: str) -> None:
         """Show that a trajectory waits for the operator's confirmation.
@@ -220,8 +226,8 @@ class RecoveryLine(Translated, QWidget):
         self._text.setProperty("rank", "muted" if self._is_calm else None)
         repolish(self._text)
         self.setAccessibleName(text)
-        show_primary(self._button, wanted=step.level is Level.INFO)
         self._show_button()
+        self._highlight()
         self._recolor()
         self.update()
         self.step_shown.emit()
@@ -288,6 +294,19 @@ class RecoveryLine(Translated, QWidget):
             label = words.step_action(step.alternative)
             self._other_button.setText(label)
             self._other_button.setAccessibleName(label)
+
+    def _highlight(self, *_: object) -> None:
+        """Highlight what is recommended: one button of the window at most."""
+        step = self._step
+        one_of_two = step.alternative is not None and step.failed is None
+        wanted = (step.level is Level.INFO or one_of_two) and not step.dangerous
+        if wanted and self._area is not None and self._button.isVisible():
+            others = self._area.findChildren(QPushButton)
+            wanted = not any(
+                each.isVisible() and each.isEnabled() and each.property("primary")
+                for each in others
+            )
+        show_primary(self._button, wanted=wanted)
 
     def _recolor(self) -> None:
         colors = colors_of(self)

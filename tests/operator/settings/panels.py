@@ -1,6 +1,6 @@
 """What the panels of the settings show, and what the arm heard of it."""
 
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QPushButton
 
 from armui.protocol.frame import Frame
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
@@ -37,6 +37,16 @@ def generation(app_driver):
 
 def note(app_driver, name):
     return app_driver.read(f"{name}_note")
+
+
+def lit(app_driver):
+    """The buttons of the window that are highlighted: one is what is recommended."""
+    app_driver.run(0.1)
+    return [
+        each.objectName()
+        for each in app_driver.window.findChildren(QPushButton)
+        if each.isVisible() and each.isEnabled() and each.property("primary")
+    ]
 
 
 def questions():

@@ -3,7 +3,7 @@
 from armui.protocol.generation import Generation
 from tests.faulty_arm import HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
-from tests.operator.settings.panels import generation, note, notes, settled
+from tests.operator.settings.panels import generation, lit, note, notes, settled
 
 
 def test_what_the_arm_holds_is_read_when_the_panel_opens(any_driver):
@@ -61,9 +61,11 @@ def test_an_arm_that_does_not_say_what_it_holds(end):
 
 
 def test_a_corrupt_memory_is_flagged_and_mended(joints):
+    assert lit(joints) == ["recovery_button"]  # which enables
     joints.firmware.corrupt_limits(2)
     joints.click("joint_settings_read_button")
     settled(joints)
+    assert lit(joints) == ["joint_settings_edit_button"]  # mending them comes before
     assert note(joints, "max_angle_deg_2") == "corrupt"
     assert note(joints, "max_angle_deg_3") == ""
     assert "0xFFFF" in joints.read("joint_settings_message")
@@ -72,6 +74,7 @@ def test_a_corrupt_memory_is_flagged_and_mended(joints):
     joints.type_into("max_angle_deg_2", "170")
     joints.type_into("min_angle_deg_2", "1")
     joints.type_into("max_speed_deg_s_2", "90")
+    assert lit(joints) == ["joint_settings_save_button"]
     joints.click("joint_settings_save_button")
     joints.confirm()  # the joint stands at 0°, beyond the new min. angle
     settled(joints)

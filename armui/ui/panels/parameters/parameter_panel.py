@@ -109,7 +109,6 @@ class ParameterPanel(Panel):
                 shortcut="parameters.save" if act == "save" else "",
                 title=_LABELS.entry(act),
                 needs=while_editing if act in ("cancel", "save") else no_reason,
-                primary=act == "save",
                 least_height_px=_HEIGHT_PX,
             )
             for act in _LABELS
@@ -121,6 +120,7 @@ class ParameterPanel(Panel):
         buttons.pressed(cls._on_pressed)
         buttons.why_not(cls._why_not_press)
         buttons.tip(cls._use_of)
+        buttons.lit(cls._is_recommended)
         return buttons
 
     def __init__(
@@ -439,6 +439,18 @@ class ParameterPanel(Panel):
             return no_way or not_now or self.why_no_reset() or first
         return no_way
 
+    def _is_recommended(self, act: str) -> bool:
+        """Return whether to highlight: saving, or editing first where a value is corrupt."""
+        return act == "save" or (act == "edit" and bool(self._corrupt()))
+
+    def _corrupt(self) -> list[Parameter]:
+        state, draft = self._controller.state, self._draft
+        return [
+            parameter
+            for parameter in draft.parameters
+            if draft.status(state, parameter, self._settings.cell(parameter)) is CellStatus.CORRUPT
+        ]
+
     def _use_of(self, act: str) -> str:
         give_up = self.tr("Shows what the arm holds again.")
         uses = {
@@ -467,12 +479,7 @@ class ParameterPanel(Panel):
         )
         if first is not None:
             return _Said(words.refusal(first), _LEVELS.get(first.reason, level_of(first)))
-        corrupt = [
-            parameter
-            for parameter in draft.parameters
-            if draft.status(state, parameter, cell(parameter)) is CellStatus.CORRUPT
-        ]
-        if corrupt:
+        if corrupt := self._corrupt():
             names = listed(full_name(parameter) for parameter in corrupt)
             reason = status_explained(CellStatus.CORRUPT, "")
             text = self.tr("{names}: {reason}").format(names=names, reason=reason)
