@@ -6168,11 +6168,11 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
     </message>
     <message>
         <source>Enabled</source>
-        <translation>使能</translation>
+        <translation>已使能</translation>
     </message>
     <message>
         <source>Disabled</source>
-        <translation>失能</translation>
+        <translation>已失能</translation>
     </message>
     <message>
         <source>Closes the gripper to 0.</source>
@@ -8337,11 +8337,11 @@ Set it only at the mark of the joint&apos;s zero, with the arm standing still. T
     <name>MotorRow</name>
     <message>
         <source>Enabled</source>
-        <translation>使能</translation>
+        <translation>已使能</translation>
     </message>
     <message>
         <source>Disabled</source>
-        <translation>失能</translation>
+        <translation>已失能</translation>
     </message>
     <message>
         <source>Motor temperature of joint {joint}</source>
@@ -8716,6 +8716,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>机械臂已应答联动设置，在待机模式下或重新上电后生效。</translation>
     </message>
     <message>
+        <source>Release sent. The motors no longer brake and the arm drops: hold the arm.</source>
+        <translation>解除急停已发送。电机不再有阻尼，机械臂会下落，请扶住机械臂。</translation>
+    </message>
+    <message>
         <source>The arm has answered: it becomes a teaching input. Its feedback ends and it can be led by hand.</source>
         <translation>机械臂已应答：将成为示教输入臂，反馈停止，可用手拖动。</translation>
     </message>
@@ -8782,10 +8786,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Gripper: {act} has had no effect. Check its errors, its power and its cable, then try again.</source>
         <translation>夹爪：{act}没有生效。请检查其错误、供电和线缆后重试。</translation>
-    </message>
-    <message>
-        <source>Release sent. The motors lose power and the arm drops: hold the arm.</source>
-        <translation>解除急停已发送。电机断电，机械臂会下落，请扶住机械臂。</translation>
     </message>
     <message>
         <source>Zero setting sent to all six joints</source>
@@ -9360,11 +9360,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Motors enabled: {joints}</source>
-        <translation>电机使能：{joints}</translation>
+        <translation>电机已使能：{joints}</translation>
     </message>
     <message>
         <source>Motors disabled: {joints}</source>
-        <translation>电机失能：{joints}</translation>
+        <translation>电机已失能：{joints}</translation>
     </message>
     <message>
         <source>J{joint} beyond its angle limit</source>
@@ -10684,7 +10684,7 @@ pose</source>
     </message>
     <message>
         <source>Gripper enabled</source>
-        <translation>夹爪使能</translation>
+        <translation>夹爪已使能</translation>
     </message>
     <message>
         <source>motor speed</source>
@@ -10720,7 +10720,7 @@ pose</source>
     </message>
     <message>
         <source>enabled</source>
-        <translation>使能</translation>
+        <translation>已使能</translation>
     </message>
     <message>
         <source>part in linear speed</source>

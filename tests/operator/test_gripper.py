@@ -232,7 +232,7 @@ def test_the_chinese_words(grip):
             "失能",
             "清除错误",
         ]
-        assert grip.read("gripper_power") == "失能"
+        assert grip.read("gripper_power") == "已失能"
     finally:
         grip.store.change(language="en")
         grip.step()

@@ -36,7 +36,7 @@ RUN_DISABLED = Reason(
 )
 RESUME_SENT = Notice(
     "resume_sent",
-    "Release sent. The motors lose power and the arm drops: hold the arm.",
+    "Release sent. The motors no longer brake and the arm drops: hold the arm.",
     Level.INFO,
     EventKind.COMMAND,
 )
