@@ -49,6 +49,10 @@ _TEXT_RIGHT_PX: Final = 8
 _FOLD_PX: Final = 10
 _SMALL: Final = 0.8
 """The texts at the foot, of the size of the others: all three fit into the width."""
+_SIGN_ROOM_PX: Final = 26.0
+"""From the right edge of a heading to its sign, with a gap."""
+_HEADING_TOP_PX: Final = 3.0
+"""How much lower than its middle a heading has its word, by the style sheet."""
 _AROUND_PX: Final = 14
 """Above and below the menu, and between its two parts."""
 _HEADINGS: Final = Texts("SideMenu") | {
@@ -318,7 +322,7 @@ class MenuEntry:
 
 
 class GroupHeading(Translated, QToolButton):
-    """The heading of the group that folds; the number of its entries while it is folded."""
+    """The heading of the group that folds; while it is folded, the number of its entries, small."""
 
     def __init__(self, entries: int) -> None:
         super().__init__()
@@ -338,9 +342,22 @@ class GroupHeading(Translated, QToolButton):
     def retranslate_ui(self, *_: object) -> None:
         """Set the text in the operator's language."""
         name = _HEADINGS.text(MenuGroup.SETTINGS.value)
-        self.setText(name if self.isChecked() else f"{name}  {self._entries}")
-        self.setAccessibleName(name)
+        self.setText(name)
+        self.setAccessibleName(name if self.isChecked() else f"{name} {self._entries}")
         self.setToolTip(self.tr("Folds this group away, or shows it."))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the number of what is folded away in front of the sign."""
+        super().paintEvent(event)
+        if self.isChecked():
+            return
+        painter = painting.begin(self)
+        painter.setFont(scaled_font(self, _SMALL))
+        painter.setPen(QColor(colors_of(self).muted))
+        room = QRectF(self.rect()).adjusted(0, _HEADING_TOP_PX, -_SIGN_ROOM_PX, 0)
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        painter.drawText(room, right, str(self._entries))
+        painter.end()
 
     def _recolor(self, *_: object) -> None:
         sign = "fold" if self.isChecked() else "unfold"

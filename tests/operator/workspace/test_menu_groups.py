@@ -89,6 +89,6 @@ def test_what_is_folded_is_found_and_then_shown(app_driver):
 def test_the_number_of_what_is_folded_is_said(app_driver):
     lower(app_driver)
     fold = app_driver.find("menu_fold")
-    assert str(len(SETTINGS)) in fold.text()
+    assert str(len(SETTINGS)) in fold.accessibleName()
     app_driver.click("menu_fold")
-    assert str(len(SETTINGS)) not in fold.text()
+    assert str(len(SETTINGS)) not in fold.accessibleName()
