@@ -14431,6 +14431,10 @@ The other program must have ended.</source>
         <translation>设置</translation>
     </message>
     <message>
+        <source>Shown at once; its own font for quotation marks follows at the next start.</source>
+        <translation>立即生效；对应的字体（引号的宽窄）在下次启动后生效。</translation>
+    </message>
+    <message>
         <source>Light</source>
         <translation>浅色</translation>
     </message>

@@ -186,6 +186,8 @@ class SettingsDialog(ArmDialog):
         """Set all texts in the operator's language."""
         self.set_title(self.tr("Settings"))
         self._language_label.setText(setting_label("language").text())
+        font = self.tr("Shown at once; its own font for quotation marks follows at the next start.")
+        self.language_box.setToolTip(font)
         self._theme_label.setText(setting_label("theme").text())
         for index, text in enumerate((self.tr("Light"), self.tr("Dark"), self.tr("As the system"))):
             self.theme_box.setItemText(index, text)
