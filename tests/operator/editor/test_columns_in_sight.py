@@ -47,7 +47,7 @@ def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
     app_driver.run(0.2)
     table = app_driver.page(LibraryPage)._table
     assert table.horizontalScrollBar().maximum() == 0
-    assert table.columnWidth(LibraryColumn.NOTE) >= 160
+    assert table.columnWidth(LibraryColumn.NOTE) >= 110
     name = "a long name of a trajectory that is whole where there is room"
     Library(app_driver.library_folder).save(Trajectory(name, points=(BEGIN,)))
     app_driver.page(LibraryPage).refresh()

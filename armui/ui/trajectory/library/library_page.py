@@ -604,11 +604,6 @@ class LibraryPage(Page):
         """Focus the list."""
         self._table.setFocus()
 
-    @property
-    def wanted_px(self) -> int:
-        """The width at which most notes are whole."""
-        return self._table.wanted_px
-
     def headers(self) -> Mapping[str, QHeaderView]:
         """Return the list's header, whose order and columns are stored."""
         return {"library": self._table.horizontalHeader()}

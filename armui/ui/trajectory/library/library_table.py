@@ -17,8 +17,6 @@ from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint, set_wi
 _ROW_PX: Final = 34
 _NAME_PX: Final = 142
 """Up to this width a name is shown whole before a note is."""
-_NOTE_PX: Final = 200
-"""A width at which most notes are whole."""
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 
@@ -50,12 +48,6 @@ class LibraryTable(QTableView):
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
         return rows_hint(self, _LEAST_ROWS)
-
-    @property
-    def wanted_px(self) -> int:
-        """The width at which most notes are whole."""
-        others = set(LibraryColumn) - {LibraryColumn.NOTE}
-        return sum(map(self.columnWidth, others), _NOTE_PX)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Show names whole as far as the new width allows it."""
