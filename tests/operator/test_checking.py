@@ -278,6 +278,9 @@ def test_a_fault_is_said_before_a_run_that_waits(operator, monkeypatch):
     operator.app_driver.controller.emergency_stop()
     operator.app_driver.run(0.2)
     assert "has not started" not in operator.app_driver.read("recovery_text")
+    accept = operator.window.findChild(QPushButton, "accept_warnings")
+    assert not accept.isEnabled()
+    assert "emergency stop" in accept.toolTip()
 
 
 def test_a_check_that_fails_says_so(operator):

@@ -323,15 +323,16 @@ def test_a_fault_that_is_over_is_not_told_as_there(app_driver, begun):
     app_driver.run(0.5)
     if begun:
         assert operator.text("editor_message").startswith("Ended at row 1. The arm reported: ")
+        assert "emergency stop" not in operator.text("editor_message")
     else:
-        operator.click("accept_warnings")
-        assert operator.text("editor_message").startswith("The arm reports: ")
-    assert "emergency stop" not in operator.text("editor_message")
+        assert not operator.child("accept_warnings").isEnabled()
+        assert "The arm reports: " in operator.child("accept_warnings").toolTip()
     app_driver.node.faults.end(push)
     app_driver.run(0.1)
     accepted(app_driver.controller.joint_errors.clear(2))
     app_driver.run(1.0)
     assert "The arm reports" not in operator.child("editor_message").text()
+    assert operator.child("accept_warnings").isEnabled()
 
 
 def test_beside_a_question_no_other_button_is_lit(app_driver):

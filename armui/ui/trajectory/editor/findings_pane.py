@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.cell.cell_reasons import CELL_NOT_READ
+from armui.control.run.player import why_not_run
 from armui.control.run.preflight import Preflight
 from armui.control.run.runner import Runner
 from armui.trajectory.planning.findings import Finding, Severity
@@ -126,6 +127,7 @@ class FindingsPane(HasActs, Translated, QWidget):
 
     def _on_operating_state(self, _operating_state: OperatingState) -> None:
         self._runs = self._runs and self._runner.running
+        self.show_acts()
         if self._checked is not None and self._moved != self._has_moved(self._checked):
             self._fill()
             self.found_changed.emit(self._found(self._checked))
@@ -173,6 +175,10 @@ class FindingsPane(HasActs, Translated, QWidget):
     def _accept_text(self) -> str:
         found = self._checked is not None and self._checked.findings
         return self.tr("Accept the warnings and run") if found else self.tr("Run now")
+
+    @accept_button.why_not
+    def _why_no_run(self) -> Refusal | None:
+        return why_not_run(self._controller.operating_state)
 
     def _why_less(self, waits: Refusal) -> str:
         """Return what of the cell the check counted, while it waits for its confirmation."""
