@@ -11355,10 +11355,6 @@ The other program must have ended.</source>
         <translation>适配器能发送，却什么也收不到，连错误也没有。请拔下再插上。</translation>
     </message>
     <message>
-        <source>Only listening: nothing is sent but the emergency stop.</source>
-        <translation>只听：除急停外不发送任何帧。</translation>
-    </message>
-    <message>
         <source>Waiting for the arm: {what}.</source>
         <translation>等待机械臂：{what}。</translation>
     </message>
@@ -11525,6 +11521,18 @@ The other program must have ended.</source>
     <message>
         <source>The CAN device is gone: no stop reaches the arm. Cut its power if it moves. Plug the device in again, or choose another one.</source>
         <translation>CAN 设备已断开，停止指令到不了机械臂：若它在运动，请切断其电源。请重新插好设备，或选择其他设备。</translation>
+    </message>
+    <message>
+        <source>{device} is bus-off: after too many errors it neither sends, not even a stop, nor hears. Check CAN_H and CAN_L, both 120 Ω resistors and the bit rate, then connect again.</source>
+        <translation>{device} 已总线关闭（bus-off）：错误过多，既不能接收也不能发送，包括急停。请检查 CAN_H 与 CAN_L、两端 120 Ω 终端电阻和波特率，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>{device} is bus-off: it sends nothing, not even a stop.</source>
+        <translation>{device} 已总线关闭（bus-off）：什么也发不出，包括急停。</translation>
+    </message>
+    <message>
+        <source>Only listening: nothing is sent but the emergency stop. To move the arm, disconnect here, then connect without “Listen only”.</source>
+        <translation>只听：除急停外不发送任何帧。要控制机械臂，请在此断开，再不勾选“只听”重新连接。</translation>
     </message>
     <message>
         <source>Too hot, joint {joints}: {temperature} °C. Let the arm cool down; the message goes by itself.</source>

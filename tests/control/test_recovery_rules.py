@@ -15,7 +15,7 @@ from armui.arm.model_check import ModelFit
 from armui.arm.other_hosts import OtherHosts, OtherTraffic
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState, DriverSlow, Reading, Status
-from armui.bus.link import BUS_DEAF
+from armui.bus.link import BUS_DEAF, BUS_OFF
 from armui.control.assessment import assess
 from armui.control.authority import MET_MOVING, PART_FAILED, Authority
 from armui.control.cell.cell_reasons import (
@@ -165,6 +165,7 @@ def without_link() -> Iterator[tuple[ArmState, OperatingState]]:
     deaf = Refusal(BUS_DEAF, {"device": "can0", "count": "3"})
     now = operating_state(ArmState(), link=LinkState.OFFLINE)
     yield ArmState(), replace(now, link_problem=deaf)
+    yield ArmState(), replace(now, link_problem=Refusal(BUS_OFF, {"device": "can0"}))
     # a picture from before, as old as it may be
     states = (ArmState(), led, arm(status()), arm(status(arm_status=ArmStatusCode.EMERGENCY_STOP)))
     for link, state, unconfirmed in itertools.product(LinkState, states, (False, True)):

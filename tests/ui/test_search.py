@@ -12,6 +12,7 @@ NAMES = Names(
         ("目标", "Target of", "mu biao"),
         ("使能", "Enable", "shi neng"),
         ("归零", "", "gui ling"),
+        ("仿真", "", "fang zhen"),
     ]
 )
 
@@ -56,6 +57,12 @@ def test_what_follows_a_name_is_found(query):
 
 def test_what_is_called_so_comes_before_what_is_done_there():
     assert how_well("ydkz", "运动控制") < how_well("ydkz", "回零", "运动控制")
+
+
+def test_several_words_are_first_of_all_the_beginning_of_a_name():
+    connect = rank("simulated fa", NAMES.search_text(["Connect"], "", ("simulated", "仿真")))
+    assert connect is not None
+    assert how_well("simulated fa", "Simulated faults") < connect
 
 
 def test_initials_come_before_a_part_within():

@@ -84,11 +84,15 @@ def link_is(link: LinkState) -> Applies:
     return when_now(lambda now: now.link is link)
 
 
-def is_deaf(view: RecoveryView) -> bool:
-    """Return whether no arm is heard because the adapter of an open device hears nothing."""
-    now = view.operating_state
-    problem = now.link_problem if now.link is LinkState.OFFLINE else None
-    return problem is not None and problem.code == "bus_deaf"
+def adapter_is(code: str) -> Applies:
+    """Return a check that applies while no arm is heard for a problem of an open adapter."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        now = view.operating_state
+        problem = now.link_problem if now.link is LinkState.OFFLINE else None
+        return problem.params if problem is not None and problem.code == code else None
+
+    return applies
 
 
 def has_code(code: ArmStatusCode) -> Applies:

@@ -190,7 +190,18 @@ class StepKind(enum.Enum):
         "deaf",
         "The adapter sends, but hears nothing, not even errors. Unplug it and plug it in again.",
     )
-    LISTEN_ONLY = StepText("listen_only", "Only listening: nothing is sent but the emergency stop.")
+    BUS_OFF = StepText(
+        "adapter_bus_off",
+        "{device} is bus-off: after too many errors it neither sends, not even a stop, nor hears. "
+        "Check CAN_H and CAN_L, both 120 Ω resistors and the bit rate, then connect again.",
+        "",
+        "{device} is bus-off: it sends nothing, not even a stop.",
+    )
+    LISTEN_ONLY = StepText(
+        "listen_only",
+        "Only listening: nothing is sent but the emergency stop. To move the arm, disconnect here, "
+        "then connect without “Listen only”.",
+    )
     WORKING = StepText("working", "Waiting for the arm: {what}.")
     STOPPED = StepText(
         "stopped", "Emergency stop: the motors only brake. Support the arm: released, it drops."

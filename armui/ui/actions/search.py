@@ -54,6 +54,8 @@ def rank(query: str, text: SearchText) -> tuple[int, ...] | None:
         if best >= _NONE:
             return None
         ranks.append(best)
+    if len(words) > 1 and (whole := _in_names(" ".join(words), text.names)) <= _START:
+        ranks = [whole]
     found = [name for name in text.names if any(word in name for word in words)]
     shortest = min(map(len, found or text.names), default=0)
     return (max(ranks, default=0), sum(ranks), shortest) if ranks else (0, 0, 0)
