@@ -13324,6 +13324,10 @@ The other program must have ended.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
     </message>
     <message>
+        <source>This is a CAN log, which holds no points. Under Log, “Replay another log…” opens it.</source>
+        <translation>这是 CAN 日志，不含轨迹点。请在“日志”中用“回放其他日志…”打开。</translation>
+    </message>
+    <message>
         <source>The points have been changed since that run began: it cannot go on from a row of theirs. Choose “From row” and press Run.</source>
         <translation>该次运行开始后轨迹点已修改，不能从其中某行继续。请选择“起始行”，再按“发送”。</translation>
     </message>

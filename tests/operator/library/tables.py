@@ -31,10 +31,10 @@ class Operator:
         self.library = Library(app_driver.library_folder)
 
     def bring(self, **texts):
-        """Import files of these names and texts as the chooser does."""
+        """Import files of these names, .csv if they have no suffix, as the chooser does."""
         paths = []
         for name, text in texts.items():
-            path = self.folder / f"{name}.csv"
+            path = self.folder / (name if "." in name else f"{name}.csv")
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
             paths.append(str(path))
         self.app_driver.click(self.list.findChild(QWidget, "library_import"))

@@ -19,6 +19,14 @@ from tests.accepted import accepted
 from tests.operator.library.tables import ANGLES, DEGREES, RADIANS, TITLED, is_open
 from tests.trajectory.frame_oracle import apart, carried
 
+CANDUMP = "".join(
+    f"(1700000000.{place:06d}) can0 2A5#0000{place:04X}00000000\n" for place in range(40)
+)
+CAN_TABLE = "Time Stamp,ID,Extended,Dir,Bus,LEN,D1,D2,D3,D4,D5,D6,D7,D8\n" + "".join(
+    f"{place * 1000},000002A5,false,Rx,0,8,00,00,00,{place:02X},00,00,00,00,\n"
+    for place in range(40)
+)
+
 
 def test_a_table_with_titles_needs_one_click(operator):
     operator.open(line=TITLED)
@@ -53,6 +61,16 @@ def test_a_table_goes_to_the_folder_that_is_listed(operator):
         ("line", "cell")
     ]
     assert operator.list.findChild(QWidget, "library_folder").currentText() == "cell"
+
+
+@pytest.mark.parametrize(("name", "log"), [("a.log", CANDUMP), ("b.csv", CAN_TABLE)])
+def test_a_can_log_is_no_table_and_belongs_to_the_replay(operator, name, log):
+    operator.bring(**{name: log})
+    assert "This is a CAN log" in operator.told()
+    assert "“Replay another log…”" in operator.told()
+    assert not is_open()
+    assert not operator.enable_or_explain.isVisible()
+    assert operator.library.entries() == []
 
 
 def test_what_is_missing_is_said_until_nothing_is(operator):

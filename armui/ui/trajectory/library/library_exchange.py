@@ -23,7 +23,7 @@ from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError
 from armui.trajectory.library.file_names import file_stem
-from armui.trajectory.library.importing import Imported, find_or_import, import_files
+from armui.trajectory.library.importing import Imported
 from armui.trajectory.library.run_options import RunOptions
 from armui.trajectory.library.store import Library, LibraryError
 from armui.trajectory.planning.findings import Finding
@@ -34,6 +34,7 @@ from armui.ui.actions.act import Act, HasActs
 from armui.ui.background import Job, Steps, in_order
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
+from armui.ui.trajectory.library.can_logs import find_or_import_but_logs, import_all_but_logs
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_page import ColumnsOffer
 from armui.ui.widgets.layouts import STRETCH, fill
@@ -341,7 +342,7 @@ class LibraryExchange(HasActs, QObject):
             self._say_reading(paths)
             self._background.begin(
                 Job(self._on_imported),
-                import_files,
+                import_all_but_logs,
                 self._library.folder,
                 list(paths),
                 self._library.new_in,
@@ -351,7 +352,8 @@ class LibraryExchange(HasActs, QObject):
         """Find a file's content in the library, or import it: see `found`."""
         self._say_reading([path])
         self._background.begin(
-            Job(self._on_found), find_or_import, self._library.folder, path, self._library.new_in
+            *(Job(self._on_found), find_or_import_but_logs),
+            *(self._library.folder, path, self._library.new_in),
         )
 
     def _say_reading(self, paths: Sequence[Path]) -> None:
