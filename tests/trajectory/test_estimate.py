@@ -41,10 +41,13 @@ def test_it_is_what_a_check_finds_for_an_arm_that_stands_at_the_first_point(opti
     assert estimate_s(BOTH, ARM, options) == pytest.approx(expected, rel=0.01)
 
 
-def test_without_end_it_is_that_of_one_cycle():
-    endless = RunOptions(cycles=0)
-    assert estimate_s(BOTH, ARM, endless) == estimate_s(BOTH, ARM)
-    assert estimate_s(BOTH, ARM, endless, (90.0, *BEGIN[1:])) == estimate_s(BOTH, ARM)
+def test_without_end_it_is_that_of_a_further_cycle_wherever_the_first_began():
+    whole = check(CheckRequest(BOTH, ARM, BEGIN, 1, 0)).path
+    for first in (0, 1):
+        endless = RunOptions(cycles=0, first=first)
+        assert estimate_s(BOTH, ARM, endless) == pytest.approx(whole.lap_s, rel=0.01)
+        away = estimate_s(BOTH, ARM, endless, (90.0, *BEGIN[1:]))
+        assert away == estimate_s(BOTH, ARM, endless)
 
 
 def test_lines_and_arcs_count_too():

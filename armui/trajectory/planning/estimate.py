@@ -33,7 +33,8 @@ def estimate_s(
     Args:
         content: The trajectory or recording.
         arm: The arm.
-        options: The options of the run. For an endless run the time of one cycle is returned.
+        options: The options of the run. For an endless run the time of a further cycle is returned,
+            which begins with the first row wherever the run began.
         start_deg: The six joint angles from which the arm goes to the first point; ``None`` to
             leave that way out. The way to a recording, and of an endless run, is always left out.
         speed_percent: The operator's speed, from 1.
@@ -51,12 +52,12 @@ def estimate_s(
         return None
     points = in_base(points, frames)
     whole_s = 0.0
-    if further:  # from the last point back to the first, and on to the last
+    if further or not options.cycles:  # from the last point back to the first, and on to the last
         again_s = _lasting_s((*points, points[0]), arm, speed_factor)
-        if again_s is None:
-            return None
+        if again_s is None or not options.cycles:
+            return again_s
         whole_s = further * again_s
-    if start_deg is not None and options.cycles:
+    if start_deg is not None:
         path = plan_path(
             Trajectory("", points=points[first:]), arm, start_deg, speed_factor=speed_factor
         )
