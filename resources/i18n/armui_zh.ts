@@ -11487,10 +11487,6 @@ The other program must have ended.</source>
         <translation>已暂停：速度高于 0 % 时，按住“继续”1 秒</translation>
     </message>
     <message>
-        <source>Another program may have left a motion held back in the arm. Give it up, or go on with it there; the next motion from here drops it.</source>
-        <translation>机械臂中可能留有其他程序暂停的运动。请放弃，或在那里继续；本程序的下一次运动会将其取消。</translation>
-    </message>
-    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>
@@ -11597,6 +11593,10 @@ The other program must have ended.</source>
     <message>
         <source>The fingertip is {value} mm below the floor. Jog upwards unless there is nothing there. Settings have a lowest height for motions.</source>
         <translation>指尖在地面以下 {value} mm。除非那里没有物体，请向上点动。“设置”中可选运动的最低高度。</translation>
+    </message>
+    <message>
+        <source>Another program may have left a motion held back in the arm. Give it up, or go on with it there; the next motion from here cancels it.</source>
+        <translation>机械臂中可能留有其他程序暂停的运动。请放弃，或在那里继续；本程序的下一次运动会将其取消。</translation>
     </message>
     <message>
         <source>The arm is moving</source>
@@ -11914,10 +11914,6 @@ The other program must have ended.</source>
     <message>
         <source>Speed {value} % is out of range. Enter a value from 0 to 100 %.</source>
         <translation>速度 {value} % 超出范围。请输入 0～100 %。</translation>
-    </message>
-    <message>
-        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
-        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
     </message>
     <message>
         <source>Joint {joint}: “{value}” is not an angle. Enter a number of degrees, for example 12.5.</source>
@@ -12332,6 +12328,10 @@ The other program must have ended.</source>
         <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂只接受轨迹运行，不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
     </message>
     <message>
+        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Choose a target within them.</source>
+        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请选择限位内的目标。</translation>
+    </message>
+    <message>
         <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>
         <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm；这样会更近。请移开。</translation>
     </message>
@@ -12374,6 +12374,18 @@ The other program must have ended.</source>
     <message>
         <source>The arm reports: {status}. The line above the panels says what helps.</source>
         <translation>机械臂报告：{status}。面板上方的提示行给出处理办法。</translation>
+    </message>
+    <message>
+        <source>Look for the reason, and begin the next one slowly. Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended.</source>
+        <translation>请查明原因，下次运动以低速开始。关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。</translation>
+    </message>
+    <message>
+        <source>Look for the reason, and begin the next one slowly. The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended.</source>
+        <translation>请查明原因，下次运动以低速开始。工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。</translation>
+    </message>
+    <message>
+        <source>Look for the reason, and begin the next one slowly. The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended.</source>
+        <translation>请查明原因，下次运动以低速开始。工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。</translation>
     </message>
     <message>
         <source>The arm has answered, but the fault is still there.</source>
@@ -13174,18 +13186,6 @@ The other program must have ended.</source>
     <message>
         <source>Nobody knows which way the arm would take, and a work area or a lowest height is in force. Switch its planes and boxes off under Cell, or the height under Settings, first.</source>
         <translation>无人知道机械臂会走哪条路径，而工作区域或最低高度正在生效。请先在“单元”中关闭其平面和盒体，或在“设置”中关闭最低高度。</translation>
-    </message>
-    <message>
-        <source>Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
-        <translation>关节 {joint} 实测 {value}°/s；下达的 {percent} % 对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
-    </message>
-    <message>
-        <source>The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
-        <translation>工具移动实测 {value} mm/s；下达的 {percent} % 在此路径上对应最高 {maximum} mm/s，超过 {limit} mm/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
-    </message>
-    <message>
-        <source>The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.</source>
-        <translation>工具转动实测 {value}°/s；下达的 {percent} % 在此路径上对应最高 {maximum}°/s，超过 {limit}°/s 即结束运动。请查明原因，下次运动以低速开始。</translation>
     </message>
     <message>
         <source>The last minutes are being saved already. Wait a moment.</source>
@@ -15616,8 +15616,8 @@ The other program must have ended.</source>
         <translation>滑移 5°，解除急停时显示</translation>
     </message>
     <message>
-        <source>Reference lost, until resume</source>
-        <translation>丢失基准，恢复后正常</translation>
+        <source>Reference lost, until release</source>
+        <translation>丢失基准，解除急停后正常</translation>
     </message>
     <message>
         <source>Limits 0xFFFF, until reset</source>

@@ -301,6 +301,7 @@ def test_errors_of_the_check_are_not_run(app_driver):
     app_driver.run(0.2)
     assert app_driver.heard() == []
     assert "the check has found errors (1)" in operator.text("editor_message")
+    assert not operator.child("run_send").property("primary")
     findings = operator.child("findings_list", QListWidget)
     assert findings.item(0).text().startswith("✕ Error · Row 2")
     assert not operator.child("accept_warnings").isVisible()

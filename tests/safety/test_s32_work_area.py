@@ -111,6 +111,20 @@ def test_an_arm_inside_is_only_moved_out(rig):
     assert rig.codes()[-1] == "area_left"
 
 
+def test_an_arm_that_is_not_heard_has_left_nothing_and_come_into_nothing(rig):
+    bend(rig)
+    put(rig.controller, wall_before(BENT_DEG, -20.0))
+    hold(rig, 0.1)
+    told = len(rig.codes())
+    rig.node.link.off = True
+    hold(rig, 2.0)
+    rig.node.link.off = False
+    hold(rig, 2.0)
+    assert {"offline", "online"} <= set(rig.codes()[told:])
+    assert rig.controller.recovery.step.kind is StepKind.IN_AREA
+    assert not {"area_left", "area_entered", "area_around"} & set(rig.codes()[told:])
+
+
 def test_single_motions_are_refused_by_their_way(rig):
     bend(rig)
     controller = rig.controller

@@ -160,12 +160,21 @@ class AreaGuard(ControllerPart):
     def follow_arm(self) -> None:
         """Tell what the arm has come into or left, and stop who else moves it if wanted.
 
-        Each plane and box counts by itself: who is inside one may come into another.
+        Each plane and box counts by itself: who is inside one may come into another. An arm that is
+        not heard has come into nothing and left nothing.
         """
         context = self._context
-        state = context.connection.newest
+        state, check = context.connection.newest, self.check()
+        if check is None or state.angles_deg() is not None:
+            self._follow_measured(state, check)
+        runs = context.operating_state().stop is StopState.RUNNING
+        if self._ran and not runs and (names := self.below()):
+            context.tell(AREA_BELOW, names=names)
+        self._ran = runs
+
+    def _follow_measured(self, state: ArmState, check: AreaCheck | None) -> None:
+        context = self._context
         inside = {each.zone.name: each for each in self.entered(state)}
-        check = self.check()
         # an area that was put around a standing arm is not said to have been entered
         notice = AREA_ENTERED if check is self._looked_by else AREA_AROUND
         self._looked_by = check
@@ -186,10 +195,6 @@ class AreaGuard(ControllerPart):
         area, others = self.area, context.authority.mover in _OTHERS
         if deeper and others and area is not None and area.stops_others:
             self._halt()
-        runs = context.operating_state().stop is StopState.RUNNING
-        if self._ran and not runs and (names := self.below()):
-            context.tell(AREA_BELOW, names=names)
-        self._ran = runs
 
     def forget_arm(self) -> None:
         """Forget where the arm was: it may be another one that comes."""

@@ -19,19 +19,20 @@ if TYPE_CHECKING:
 
 TOO_FAST = Reason(
     "too_fast",
-    "Joint {joint} moves at {value}°/s. {percent} % was told, that is {maximum}°/s at most; above "
-    "{limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.",
+    "Look for the reason, and begin the next one slowly. Joint {joint} moves at {value}°/s. "
+    "{percent} % was told, that is {maximum}°/s at most; above {limit}°/s a motion is ended.",
 )
 TOOL_TOO_FAST = Reason(
     "tool_too_fast",
-    "The tool moves at {value} mm/s. {percent} % was told, that is {maximum} mm/s at most on this "
-    "path; above {limit} mm/s a motion is ended. Look for the reason, and begin the next one "
-    "slowly.",
+    "Look for the reason, and begin the next one slowly. The tool moves at {value} mm/s. "
+    "{percent} % was told, that is {maximum} mm/s at most on this path; above {limit} mm/s a "
+    "motion is ended.",
 )
 TOOL_TURNS_TOO_FAST = Reason(
     "tool_turns_too_fast",
-    "The tool turns at {value}°/s. {percent} % was told, that is {maximum}°/s at most on this "
-    "path; above {limit}°/s a motion is ended. Look for the reason, and begin the next one slowly.",
+    "Look for the reason, and begin the next one slowly. The tool turns at {value}°/s. "
+    "{percent} % was told, that is {maximum}°/s at most on this path; above {limit}°/s a motion "
+    "is ended.",
 )
 
 

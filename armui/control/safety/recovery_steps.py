@@ -410,7 +410,7 @@ class StepKind(enum.Enum):
     LEFT_HELD_BACK = StepText(
         "left_held_back",
         "Another program may have left a motion held back in the arm. Give it up, or go on with it "
-        "there; the next motion from here drops it.",
+        "there; the next motion from here cancels it.",
     )
     MOVING = StepText("moving", "The arm is moving")
     READY = StepText("ready", "Ready")

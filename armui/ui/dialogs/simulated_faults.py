@@ -34,7 +34,7 @@ AT_A_JOINT: Final = Texts("SimulatedFault") | {
     "stiff-joint": "Joint turns stiffly",
     "hot-joint": "Joint runs hot",
     "slip": "Slips by 5°, seen at resume",
-    "lost-reference": "Reference lost, until resume",
+    "lost-reference": "Reference lost, until release",
     "corrupt-limits": "Limits 0xFFFF, until reset",
 }
 OF_THE_ARM: Final = Texts("SimulatedFault") | {

@@ -438,7 +438,8 @@ class CommunicationButton(Translated, QAbstractButton):
     def _second_line(self) -> str:
         if self._may_move:
             return self.tr("May be moving")
-        return self.device_name or self.tr("Choose a device")
+        nothing = "" if self._link is LinkState.OPENING else self.tr("Choose a device")
+        return self.device_name or nothing
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the button."""

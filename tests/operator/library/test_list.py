@@ -146,7 +146,9 @@ def test_what_a_check_found_stays_listed_whenever_the_disk_answers(driver, monke
     assert findings.isVisible()
     assert findings.item(0).text().startswith("✕ Error · Row 2")
     assert marks(driver)["away"] == "✕ errors"
+    assert not driver.window.findChild(QWidget, "run_send").property("primary")
     driver.choose("one")
+    assert driver.window.findChild(QWidget, "run_send").property("primary")
     assert not findings.isVisible()
 
 

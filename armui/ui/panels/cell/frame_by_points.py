@@ -102,7 +102,7 @@ class FrameByPoints(PointSearch):
 
     def _live_text(self, refusal: Refusal | None) -> str:
         if refusal is not None:
-            return words.refusal(refusal)
+            return self._why_no_pose(refusal)
         pose, origin = self._controller.cartesian.tool_pose(self._controller.state), self._points[0]
         if pose is None or origin is None or None not in self._points:
             return ""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any, ClassVar, Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -203,7 +203,9 @@ class NamedTab(CellTab):
         for place, (way, widget) in enumerate(
             ((f"cell_{self.part}_typed", typed), (f"cell_{self.part}_by_points", self._search))
         ):
-            self._way.addButton(choice_button(way), place)
+            button = choice_button(way)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            self._way.addButton(button, place)
             self._ways.addWidget(widget)
         self._way.button(0).setChecked(True)
         self._way.idClicked.connect(self._on_way_chosen)

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
-from armui.control.cell.cell_reasons import CAPTURED_OF_ANOTHER
+from armui.control.cell.cell_reasons import CAPTURED_OF_ANOTHER, CELL_NONE
+from armui.ui import words
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, hint_label
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.text_label import text_label
@@ -79,6 +80,10 @@ class PointSearch(Translated, QWidget):
     def show_live(self) -> None:
         """Show what the arm's present pose would tell; called while it moves."""
         raise NotImplementedError
+
+    def _why_no_pose(self, refusal: Refusal) -> str:
+        """Return why no pose can be taken, but for what the next step says already."""
+        return "" if refusal.reason == CELL_NONE else words.refusal(refusal)
 
     def _show(self) -> None:
         raise NotImplementedError

@@ -187,7 +187,7 @@ class TipByPoints(PointSearch):
 
     def _live_text(self, refusal: Refusal | None) -> str:
         if refusal is not None:
-            return words.refusal(refusal)
+            return self._why_no_pose(refusal)
         pose = self._controller.state.end_pose()
         if pose is None or not self._poses:
             return ""

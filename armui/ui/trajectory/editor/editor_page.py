@@ -346,7 +346,8 @@ class EditorPage(Page):
         asked, converts = self._findings.is_asking, self._other_arm.converts
         self._other_arm.give_way(asked)
         self._jog.give_way(asked or converts)
-        self._run_bar.show_secondary(converts or self._actions["jog"].isChecked())
+        others = converts or self._findings.has_errors or self._actions["jog"].isChecked()
+        self._run_bar.show_secondary(others)
 
     # Editing ----------------------------------------------------------------------------------
 

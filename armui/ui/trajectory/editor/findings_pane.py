@@ -104,6 +104,11 @@ class FindingsPane(HasActs, Translated, QWidget):
         """True while it waits for an answer."""
         return self._accept is not None
 
+    @property
+    def has_errors(self) -> bool:
+        """True while by its check this can't be run."""
+        return self._checked is not None and bool(self._found(self._checked).errors)
+
     def note_run(self, *_: object) -> None:
         """Note that the run of this check has begun."""
         self._runs = True

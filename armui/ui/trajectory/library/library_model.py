@@ -161,6 +161,10 @@ class LibraryModel(TableModel):
         """Return whether the check that holds for this arm has found something."""
         return self._mark(entry) in {"warnings", "errors"}
 
+    def has_errors(self, entry: IndexEntry) -> bool:
+        """Return whether by the check that holds for this arm it can't be run."""
+        return self._mark(entry) == "errors"
+
     def _holds_for(self, entry: IndexEntry) -> str:
         """Return what a check or an estimate must have been made for to hold now."""
         if self._arm is None:

@@ -402,6 +402,7 @@ class LibraryPage(Page):
             state=None if one is None else one.modified,
             unsaved=one is not None and self._model.has_unsaved(one.name),
         )
+        self._run_bar.show_secondary(one is not None and self._model.has_errors(one))
         if chosen:  # while the list is made anew, nothing is chosen for a moment
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
