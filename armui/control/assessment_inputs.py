@@ -107,6 +107,7 @@ class Assessor:
             generation=connection.generation,
             model_fit=controller.model_watch.fit(),
             below_base_mm=controller.jog_floor.below_base_mm(self._state()),
+            below_lowest_mm=controller.jog_floor.below_lowest_mm(self._state()),
             intrusion=controller.area_guard.intrusion(self._state()),
             keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,

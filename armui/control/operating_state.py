@@ -114,8 +114,8 @@ class OperatingState:
         control_certain: True if the arm is known to take commands under them.
         model_fit: The chosen model, and whether the arm's reports fit it.
         reference: The state of the joints' reference.
-        below_base_mm: The depth of flange or fingertip below the floor, or
-            ``None``.
+        below_base_mm: The depth of flange or fingertip below the floor, or ``None``.
+        below_lowest_mm: The same below the least height that is chosen for motions.
         outside: The joints measured outside their limits, with their bounds, for a sentence; "" if
             none is.
         intrusion: Where the arm is too near to its work area, or ``None``.
@@ -169,6 +169,7 @@ class OperatingState:
     control_certain: bool = True
     model_fit: ModelFit = field(default_factory=ModelFit)
     below_base_mm: int | None = None
+    below_lowest_mm: int | None = None
     outside: str = ""
     intrusion: AreaIntrusion | None = None
     keeps_area: bool = False

@@ -11487,6 +11487,10 @@ The other program must have ended.</source>
         <translation>已暂停：速度高于 0 % 时，按住“继续”1 秒</translation>
     </message>
     <message>
+        <source>The fingertip is {value} mm below the lowest height for motions. None goes lower: jog upwards, or change that height in the settings.</source>
+        <translation>指尖比运动最低高度低 {value} mm，无法再向下运动。请向上点动，或在设置中更改该高度。</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>就绪</translation>
     </message>

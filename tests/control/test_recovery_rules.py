@@ -211,6 +211,7 @@ def online() -> Iterator[tuple[ArmState, OperatingState]]:
         yield arm(status(), enabled), operating_state(arm(status(), enabled), model_fit=OTHER_MODEL)
     state = arm(status())
     yield state, operating_state(state, below_base_mm=40)
+    yield state, operating_state(state, below_lowest_mm=40)
     resting = arm(status(), pose_deg=(0.0, -2.0, 2.0, 0.0, 22.0, 0.0))
     yield resting, operating_state(resting)
     for generation in (None, *Generation):

@@ -79,7 +79,13 @@ def test_an_arm_below_its_limit_only_goes_up(rig):
 def test_single_steps_keep_to_it(rig):
     bend(rig)
     controller = rig.controller
-    controller.jog_floor.lowest_mm = round(tip_mm(BENT_DEG)) - 5
+    controller.jog_floor.lowest_mm = round(tip_mm(BENT_DEG)) + 5
+    rig.run(0.1)  # set above the arm, it is told as a zone put around the arm is
+    step = controller.recovery.step
+    assert (step.kind, step.params["value"]) == (StepKind.BELOW_LOWEST, 5)
+    controller.jog_floor.lowest_mm -= 10
+    rig.run(0.1)
+    assert controller.recovery.step.kind is StepKind.READY
     for step in (
         lambda: controller.motion.jog(2, 10.0),
         lambda: controller.cartesian.step(2, -20.0, JogFrame.BASE),

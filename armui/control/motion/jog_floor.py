@@ -47,7 +47,7 @@ class JogFloor:
         self._rising = rising
         self.lowest_mm: int | None = None
         self._measured: tuple[object, ...] = ()
-        self._below_mm: int | None = None
+        self._height_mm = 0.0
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""
@@ -74,6 +74,13 @@ class JogFloor:
 
     def below_base_mm(self, state: ArmState) -> int | None:
         """Return by how much the measured arm reaches below its base plane, or ``None``."""
+        return self._below_mm(state, 0)
+
+    def below_lowest_mm(self, state: ArmState) -> int | None:
+        """Return by how much it is below the least height for motions, or ``None``."""
+        return None if self.lowest_mm is None else self._below_mm(state, self.lowest_mm)
+
+    def _below_mm(self, state: ArmState, floor_mm: int) -> int | None:
         joints_deg = state.angles_deg()
         if joints_deg is None:
             return None
@@ -81,6 +88,6 @@ class JogFloor:
         measured = (joints_deg, fit, self._tool(), self._held(), self._rising())
         # asked twice a tick: computed only when something has changed
         if measured != self._measured:
-            below = round(-self.height_mm(joints_deg))
-            self._measured, self._below_mm = measured, below if below > 0 else None
-        return self._below_mm
+            self._measured, self._height_mm = measured, self.height_mm(joints_deg)
+        below = round(floor_mm - self._height_mm)
+        return below if below > 0 else None

@@ -264,10 +264,14 @@ def moves(view: RecoveryView) -> bool:
     return view.operating_state.moving or view.operating_state.running
 
 
-def below_base(view: RecoveryView) -> Params | None:
-    """Return by how much the arm reaches below the floor, or ``None``."""
-    below = view.operating_state.below_base_mm
-    return None if below is None else {"value": below}
+def too_low(depth_mm: Callable[[OperatingState], int | None]) -> Applies:
+    """Return a check that applies while the arm is lower than one height; with the depth in mm."""
+
+    def applies(view: RecoveryView) -> Params | None:
+        below = depth_mm(view.operating_state)
+        return None if below is None else {"value": below}
+
+    return applies
 
 
 def outside(view: RecoveryView) -> Params | None:

@@ -402,6 +402,11 @@ class StepKind(enum.Enum):
         "The arm is {value} mm too near to “{name}” of the work area ({part}). It can only be "
         "moved out: jog the other way, or lead it by hand.",
     )
+    BELOW_LOWEST = StepText(
+        "below_lowest",
+        "The fingertip is {value} mm below the lowest height for motions. None goes lower: jog "
+        "upwards, or change that height in the settings.",
+    )
     BELOW_BASE = StepText(
         "below_base",
         "The fingertip is {value} mm below the floor. Jog upwards unless there "
@@ -443,6 +448,7 @@ UNHINDERED: Final = frozenset(
         StepKind.RUNNING,
         StepKind.IN_AREA,
         StepKind.REFERENCE_AGREED,
+        StepKind.BELOW_LOWEST,
         StepKind.BELOW_BASE,
         StepKind.LEFT_HELD_BACK,
         StepKind.MOVING,

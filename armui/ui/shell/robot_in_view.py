@@ -58,7 +58,8 @@ def show_in_view(
         if gripper is not None and gripper_mm is not None and calibrated is not None:
             gripper_mm = calibrated(gripper)
         view.set_joints(angles_deg, gripper_mm, stale=joints_stale)
-    too_low = operating_state.below_base_mm is not None
+    depths = operating_state.below_base_mm, operating_state.below_lowest_mm
+    too_low = any(depth is not None for depth in depths)
     pose: Sequence[float] | None = state.end_pose()
     if pose is not None and (any(tool) or frame is not None):
         from armui.kinematics import poses  # noqa: PLC0415 - numpy, loaded when needed
