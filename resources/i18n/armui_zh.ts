@@ -8481,12 +8481,20 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
 <context>
     <name>NamedTab</name>
     <message>
+        <source>Undo delete</source>
+        <translation>撤销删除</translation>
+    </message>
+    <message>
         <source>Type a name first.</source>
         <translation>请先输入名称。</translation>
     </message>
     <message>
         <source>Nothing is changed.</source>
         <translation>没有改动。</translation>
+    </message>
+    <message>
+        <source>Restores “{name}”.</source>
+        <translation>恢复“{name}”。</translation>
     </message>
     <message>
         <source>{kind}: edge along {axis}</source>

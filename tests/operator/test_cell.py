@@ -91,8 +91,15 @@ def test_the_bare_flange_and_another_tool_are_chosen_in_the_list(panel):
     assert panel.controller.cartesian.tool == (0.0,) * 6
     choose(panel, "cell_tool", 1)
     assert panel.controller.cartesian.tool == PEN.pose
+    before = panel.controller.cell.cell
     panel.click("cell_tool_delete")
     assert panel.controller.cell.cell == Cell("bench")
+    assert not panel.find("cell_tool_delete").isVisible()
+    panel.click("cell_tool_restore")
+    assert panel.controller.cell.cell == before  # and in force, as it was
+    panel.click("cell_tool_delete")
+    add_pen(panel)
+    assert not panel.find("cell_tool_restore").isVisible()
 
 
 def test_what_is_switched_off_in_the_work_area_is_not_called_in_force(panel):

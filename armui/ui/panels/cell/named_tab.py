@@ -46,6 +46,7 @@ _LABELS: Final = {
     "plane": Text("AreaTab", "Add plane"),
     "box": Text("AreaTab", "Add box"),
     "delete": Text("NamedTab", "Delete"),
+    "restore": Text("NamedTab", "Undo delete"),
 }
 ADDED: Final = Text(
     "ForceTab",
@@ -120,11 +121,15 @@ class NamedTab(CellTab):
             )
             for act, title in titles.items()
         }
+        acts["restore"] = Act(
+            _LABELS["restore"], named=f"cell_{part}_restore", does=CellControl.change
+        )
         changes = ActFamily(acts)
         changes.pressed(cls._on_change)
         changes.why_not(cls._why_no_change)
         changes.tip(cls._use_of)
         changes.lit(cls._is_wanted)
+        changes.there(cls._is_there)
         return changes
 
     def __init__(
@@ -134,6 +139,7 @@ class NamedTab(CellTab):
         name = f"cell_{self.part}"
         self._why_not = ""
         self._local = ""
+        self._deleted: tuple[Cell, Cell, str] | None = None
         self._shown: tuple[Thing | None, ...] = ()
         self._next = hint_label(f"{name}_next")
         self._choice_label, self._name_label, self._size_label = QLabel(), QLabel(), QLabel()
@@ -186,9 +192,9 @@ class NamedTab(CellTab):
         grid.setColumnStretch(1, 1)
         for widget in (*self.changes.values(), *self._sizes):
             widget.setMinimumWidth(NARROW_PX)
-        apply, delete = self.changes["apply"], self.changes["delete"]
+        apply, delete = self.changes["apply"], (self.changes["delete"], self.changes["restore"])
         adds = [self.changes[each] for each in self.adds]
-        rows_of_buttons = [adds, [apply, delete]] if len(adds) > 1 else [[apply, *adds, delete]]
+        rows_of_buttons = [adds, [apply, *delete]] if len(adds) > 1 else [[apply, *adds, *delete]]
         ends = [in_row(*((each, 1) for each in row), spacing=6) for row in rows_of_buttons]
         sizes: list[Item] = []
         if self._sizes:
@@ -280,7 +286,11 @@ class NamedTab(CellTab):
         if act == "apply":
             self._on_apply()
         elif act == "delete":
-            self._change(self._without(self._chosen), "")
+            before, name = self._cell, self._chosen
+            self._deleted = before, self._without(name), name
+            self._change(self._deleted[1], "")
+        elif act == "restore" and self._deleted is not None:
+            self._change(self._deleted[0], self._deleted[2])
         else:
             self._on_add(act)
 
@@ -380,6 +390,8 @@ class NamedTab(CellTab):
             taken = None if self._is_new(typed) else CELL_NAME_TAKEN(value=typed.name)
             return self._why_not or unnamed or taken
         missing = "" if self._thing is not None else self._texts().missing
+        if act == "restore":
+            return self._why_not
         if act == "apply":
             same = missing or self.tr("Nothing is changed.")
             missing = "" if self._is_changed(typed) else same
@@ -387,14 +399,23 @@ class NamedTab(CellTab):
 
     def _use_of(self, act: str) -> str:
         texts = self._texts()
+        if act == "restore":
+            name = "" if self._deleted is None else self._deleted[2]
+            return self.tr("Restores “{name}”.").format(name=name)
         adds = dict(zip(self.adds, texts.add, strict=True))
         return adds.get(act) or (texts.apply if act == "apply" else texts.delete)
 
     def _is_wanted(self, act: str) -> bool:
         """Return whether a button is the next one: the only one that adds, or else Apply."""
-        if act == "delete" or not self.changes[act].isEnabled():
+        if act in {"delete", "restore"} or not self.changes[act].isEnabled():
             return False
         return not self._is_new(self.typed()) if act == "apply" else len(self.adds) == 1
+
+    def _is_there(self, act: str) -> bool:
+        """Return whether to show a button: what was deleted last can be restored in its place."""
+        deleted = self._deleted
+        undoable = self._thing is None and deleted is not None and self._cell == deleted[1]
+        return undoable if act == "restore" else not undoable or act != "delete"
 
     def heading(self) -> str:
         """Return what one of the things is called."""
