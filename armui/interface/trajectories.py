@@ -296,10 +296,11 @@ def _told(checked: Preflight, *, plans: bool) -> Json:
 
 
 def _finding(found: Finding) -> Mapping[str, object]:
+    remedy = found.kind.remedy if found.at_s is None else ""
     return {
         "id": found.code,
         "severity": "error" if found.severity is Severity.ERROR else "warning",
-        "text": english(found.kind.source, found.params),
+        "text": english(f"{found.kind.source} {remedy}".rstrip(), found.params),
         "figures": figures(found.params),
         "row": None if found.row is None else found.row + 1,
         "of_approach": found.is_of_approach,

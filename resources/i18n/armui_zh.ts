@@ -4876,10 +4876,6 @@
         <translation>没有可执行的内容。请添加轨迹点，或重新录制。</translation>
     </message>
     <message>
-        <source>Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the point.</source>
-        <translation>关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请修改该点。</translation>
-    </message>
-    <message>
         <source>On the way joint {joint} would come to {value}°, beyond its limits {minimum}° to {maximum}°. Put another point between, or use MOVE J.</source>
         <translation>途中关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。请在中间增加一点，或改用 MOVE J。</translation>
     </message>
@@ -4904,12 +4900,24 @@
         <translation>本点应从第 {before} 行的终点开始，但机械臂到不了那里。请先修改第 {before} 行。</translation>
     </message>
     <message>
-        <source>The arm would hit itself: {other} against {one}. Put another point between, or change the point.</source>
-        <translation>机械臂将碰到自身：{other}与{one}。请在中间增加一点，或修改该点。</translation>
-    </message>
-    <message>
         <source>The point is in the user frame “{name}”, which the cell does not have: its place is unknown. Choose the cell that has it, or make a frame of this name under Cell.</source>
         <translation>该点位于用户坐标系“{name}”中，而当前单元没有这个坐标系，无法确定其位置。请选择含有该坐标系的单元，或在“单元”中新建同名坐标系。</translation>
+    </message>
+    <message>
+        <source>Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°.</source>
+        <translation>关节 {joint} 将到 {value}°，超出限位 {minimum}° 至 {maximum}°。</translation>
+    </message>
+    <message>
+        <source>Change the point.</source>
+        <translation>请修改该点。</translation>
+    </message>
+    <message>
+        <source>The arm would hit itself: {other} against {one}.</source>
+        <translation>机械臂将碰到自身：{other}与{one}。</translation>
+    </message>
+    <message>
+        <source>Put another point between, or change the point.</source>
+        <translation>请在中间增加一点，或修改该点。</translation>
     </message>
     <message>
         <source>Its first {seconds} s lie outside the limits, as an arm does at rest: it is replayed from here on.</source>
@@ -4932,12 +4940,12 @@
         <translation>路径经过奇异点附近（{value}，应不小于 {minimum}）：该处关节转动快而末端缓慢。请改用 MOVE J，或改变手腕姿态。</translation>
     </message>
     <message>
-        <source>The tool or what is held would be {value} mm below the floor. Accept this only if there is nothing.</source>
-        <translation>末端或工件将低于地面 {value} mm。确认下方没有物体时才可接受。</translation>
+        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept.</source>
+        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。</translation>
     </message>
     <message>
-        <source>The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen under Settings. Put another point between, or change the point.</source>
-        <translation>末端或工件将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。请在其间加一个点，或修改该点。</translation>
+        <source>The tool or what is held would be {value} mm below the floor. Accept this only if there is nothing.</source>
+        <translation>末端或工件将低于地面 {value} mm。确认下方没有物体时才可接受。</translation>
     </message>
     <message>
         <source>The first point is far from where the arm is: joint {joint} turns {value}°. Watch the way there in the preview, or bring the arm nearer first.</source>
@@ -4958,6 +4966,10 @@
     <message>
         <source>The tool would go at {value} mm/s; its limit is {maximum} mm/s, and the arm does not keep it here by itself. Lower the speed.</source>
         <translation>末端速度将达 {value} mm/s，上限为 {maximum} mm/s，此处机械臂不会自行限速。请降低速度。</translation>
+    </message>
+    <message>
+        <source>The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen under Settings.</source>
+        <translation>末端或工件将到达 {value} mm；按“设置”中的选择，运动止于 {minimum} mm。</translation>
     </message>
     <message>
         <source>The flange cannot get there: the point is {missing} mm too far. Move it nearer.</source>
@@ -4982,10 +4994,6 @@
     <message>
         <source>This was taught on another arm: {taught}; connected is {arm}. The same joint angles may hold the tool elsewhere. It was checked for {arm}, and nothing was converted. Watch the preview before you accept this.</source>
         <translation>此轨迹在另一种机械臂上示教：{taught}；当前为 {arm}。同样的关节角可能使末端在别处。已按 {arm} 检查，未做任何换算。请先看预览再接受。</translation>
-    </message>
-    <message>
-        <source>Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm are kept. Put another point between, or change the point.</source>
-        <translation>离工作区的“{name}”太近：{part}将到 {value} mm，应保持 {minimum} mm。请在中间加一个点，或更改该点。</translation>
     </message>
 </context>
 <context>
@@ -5065,8 +5073,8 @@
         <translation>第 {row} 个采样（{seconds} s）：{text}</translation>
     </message>
     <message>
-        <source>{text} For that, save the recording as points first; or trim it.</source>
-        <translation>{text}为此请先存为轨迹点，或裁剪。</translation>
+        <source>Trim the recording there, or save it as points and change those.</source>
+        <translation>请在该处裁剪录制，或存为轨迹点后修改这些点。</translation>
     </message>
     <message>
         <source>✕ Error</source>

@@ -316,7 +316,7 @@ def test_a_jump_and_a_limit_in_a_recording_are_named_once() -> None:
     assert sum(code == "target_beyond_limit" for code, _ in found(report)) == 1
     line = finding_line(next(each for each in report.findings if each.severity is Severity.ERROR))
     assert re.match(r"✕ Error · Sample \d+, at \d+\.\d+ s: Joint ", line)
-    assert line.endswith("For that, save the recording as points first; or trim it.")
+    assert line.endswith("°. Trim the recording there, or save it as points and change those.")
 
 
 def test_a_recording_that_begins_outside_is_replayed_from_its_first_sample_inside() -> None:

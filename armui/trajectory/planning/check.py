@@ -81,9 +81,9 @@ HELD_UNKNOWN = FindingKind(
 EMPTY = FindingKind("empty", "There is nothing to run. Add points, or record.", Severity.ERROR)
 TARGET_BEYOND_LIMIT = FindingKind(
     "target_beyond_limit",
-    "Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°. Change the "
-    "point.",
+    "Joint {joint} would be at {value}°, beyond its limits {minimum}° to {maximum}°.",
     Severity.ERROR,
+    "Change the point.",
 )
 PATH_BEYOND_LIMIT = FindingKind(
     "path_beyond_limit",
@@ -99,9 +99,9 @@ ARC_AT_LIMIT = FindingKind(
 )
 LINKS_COLLIDE = FindingKind(
     "links_collide",
-    "The arm would hit itself: {other} against {one}. Put another point between, or change the "
-    "point.",
+    "The arm would hit itself: {other} against {one}.",
     Severity.ERROR,
+    "Put another point between, or change the point.",
 )
 BEGINS_OUTSIDE = FindingKind(
     "begins_outside",
@@ -158,8 +158,9 @@ TOOL_TOO_FAST = FindingKind(
 AREA_TOO_NEAR = FindingKind(
     "area_too_near",
     "Too near to “{name}” of the work area: {part} would come to {value} mm, where {minimum} mm "
-    "are kept. Put another point between, or change the point.",
+    "are kept.",
     Severity.ERROR,
+    "Put another point between, or change the point.",
 )
 OTHER_ARM = FindingKind(
     "other_arm",
@@ -178,8 +179,9 @@ BELOW_FLOOR = FindingKind(
 BELOW_LOWEST = FindingKind(
     "below_lowest",
     "The tool or what is held would come to {value} mm; motions end at {minimum} mm, as chosen "
-    "under Settings. Put another point between, or change the point.",
+    "under Settings.",
     Severity.ERROR,
+    "Put another point between, or change the point.",
 )
 
 _KINDS: Final = {

@@ -28,10 +28,12 @@ class FindingKind(Sentence):
 
     Attributes:
         severity: Its severity.
+        remedy: What to do about it at a point, where a recording needs something else.
     """
 
     context: ClassVar[str] = "Finding"
     severity: Severity = field(default=Severity.ERROR, compare=False)
+    remedy: str = field(default="", compare=False)
 
     def __call__(self, **figures: float | int | str) -> Finding:
         """Return a finding with the figures its sentence names; it has no row until placed."""

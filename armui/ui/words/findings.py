@@ -7,14 +7,14 @@ from typing import Final
 from armui.trajectory.planning.check import OTHER_ARM
 from armui.trajectory.planning.findings import Finding, Severity
 from armui.ui.words.arm import ARM_PARTS, arm_kind, part_name
-from armui.ui.words.text import Text, Texts, said
+from armui.ui.words.text import Text, Texts, joined, said, sentence
 
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
 
 _ROW: Final = Text("FindingsPane", "Row {row}: {text}")
 _SAMPLE: Final = Text("FindingsPane", "Sample {row}, at {seconds} s: {text}")
 _RECORDED: Final = Text(
-    "FindingsPane", "{text} For that, save the recording as points first; or trim it."
+    "FindingsPane", "Trim the recording there, or save it as points and change those."
 )
 _KINDS: Final = {
     Severity.ERROR: Text("FindingsPane", "✕ Error"),
@@ -38,7 +38,9 @@ def finding(found: Finding) -> str:
     params = {k: str(v) if k == "name" else _text(v) for k, v in found.params.items()}
     if found.kind == OTHER_ARM:
         params = {k: arm_kind(v) for k, v in params.items()}
-    text = said(found.kind, params)
+    recorded = found.at_s is not None and found.severity is Severity.ERROR
+    remedy = sentence(found.kind.context, found.kind.remedy, {}) if found.kind.remedy else ""
+    text = joined(said(found.kind, params), _RECORDED.text() if recorded else remedy)
     if found.approach:
         return _APPROACH.text("way", {"text": text})
     if found.cycle == 1:
@@ -54,8 +56,6 @@ def finding_line(found: Finding) -> str:
 def placed_finding(found: Finding) -> str:
     """Return a finding with its row, or of a recording its sample."""
     text = finding(found)
-    if found.at_s is not None and found.severity is Severity.ERROR:
-        text = _RECORDED.text().format(text=text)
     if found.row is None:
         return text
     where = _ROW if found.at_s is None else _SAMPLE
