@@ -1,11 +1,13 @@
 """What an outbox tells of itself, how it gives frames to the driver, and what it drops."""
 
 import threading
+from collections import deque
 
 import pytest
 
 from armui.bus.outbox import Outbox
 from armui.bus.press import Press
+from armui.protocol.frame import Frame
 from tests.bus.driver import FULL, Driver, InDriver
 from tests.bus.test_outbox import STOP, frames
 
@@ -41,6 +43,27 @@ def test_a_frame_in_the_driver_is_not_empty_though_the_queue_is(outbox, driver):
         assert outbox.dropped == 1
         assert not outbox.empty
     assert outbox.empty
+
+
+def test_it_tells_whose_frames_are_not_out_yet(outbox):
+    outbox.put(frames(1, 2), command=2)
+    outbox.put(frames(3))
+    assert [outbox.holds(command) for command in (1, 2, 3)] == [False, True, False]
+    outbox.send_waiting()
+    assert not outbox.holds(2)
+
+
+def test_what_the_driver_has_taken_is_counted_and_kept_with_its_time(driver, time_s):
+    sent: deque[tuple[Frame, float]] = deque()
+    outbox = Outbox(clock=lambda: time_s[0], sent=sent)
+    outbox.attach(driver)
+    outbox.put(frames(1, 2))
+    outbox.send_waiting()
+    driver.failure = FULL
+    outbox.put(frames(3))
+    outbox.send_waiting()
+    assert outbox.frames_out == 2
+    assert list(sent) == [(frame, 0.25) for frame in frames(1, 2)]
 
 
 def test_it_is_blocked_after_half_a_second_in_the_driver(outbox, driver, time_s):
