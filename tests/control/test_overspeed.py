@@ -33,12 +33,13 @@ class Motion:
         self.limits = (None if limits is None else Reading(limits, BEGIN_S),) * 6
         self.factory = FACTORY_LIMITS
         self.brakes = BRAKES
+        self.in_time_since_s = BEGIN_S
         self.refusal: Refusal | None = None
 
     def state(self) -> ArmState:
         """The arm as heard now."""
         heard = heard_six(self.angles_deg, self.now_s)
-        return ArmState(joints_deg=heard, limits=self.limits)
+        return ArmState(joints_deg=heard, limits=self.limits, in_time_since_s=self.in_time_since_s)
 
     def turn(self, speed_deg_s: float, steps: int, joint: int = 1, percent: int | None = PERCENT):
         """Measure so many times, each 1/64 s after the last; what is said at the end."""
@@ -192,6 +193,13 @@ def test_only_a_speed_measured_over_half_the_time_counts_as_that_of_before(
     assert (motion.turn(100.0, 8, percent=5) is None) is excused
 
 
+def test_the_speed_of_before_is_that_of_the_whole_tenth_of_a_second(motion):
+    motion.turn(20.0, 1, percent=100)
+    motion.turn(100.0, 7, percent=100)
+    motion.watch.change_speed()
+    assert motion.turn(60.0, 9, percent=5) is None
+
+
 def test_no_more_is_allowed_than_was_before_the_speed_was_lowered(motion):
     """What was too fast already is so still: at 20 % that is 32 °/s."""
     motion.turn(40.0, 7)
@@ -238,6 +246,15 @@ def test_a_measurement_is_complete_with_its_last_frame(motion):
     assert [motion.watch.observe(state, PERCENT, FACTORY_LIMITS, BRAKES) for _ in range(3)] == [
         None
     ] * 3
+
+
+def test_what_the_joints_did_in_a_gap_is_no_speed(motion):
+    motion.turn(10.0, 8)
+    motion.now_s += 0.25
+    motion.angles_deg[0] += 20.0
+    motion.in_time_since_s = motion.now_s
+    assert motion.turn(40.0, 7) is None
+    assert motion.turn(40.0, 1).params["value"] == 40.0
 
 
 def test_a_long_gap_between_two_measurements_is_judged_by_what_lies_between(motion):
