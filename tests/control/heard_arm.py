@@ -7,7 +7,7 @@ from typing import Any
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
-from armui.arm.state import ArmState, DriverSlow, Reading, Status
+from armui.arm.state import ArmState, DriverFast, DriverSlow, Reading, Status
 from armui.control.authority import Authority
 from armui.control.motion.motion_command import CommandKind, Observation
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
@@ -50,6 +50,7 @@ class Arm:
     Attributes:
         silent: What of it is not heard: ``status``, ``joints`` or ``drivers``.
         waiting: Frames of ours have not left yet.
+        driver_deg_s: The speed that each driver reports.
     """
 
     def __init__(self) -> None:
@@ -57,6 +58,7 @@ class Arm:
         self.joints_deg = HERE
         self.status = status()
         self.enabled = True
+        self.driver_deg_s = 0.0
         self.silent: set[str] = set()
         self.hosts = OtherHosts()
         self.limits: JointLimits | None = None
@@ -81,6 +83,7 @@ class Arm:
             last_feedback_s=now_s,
             status=self._status,
             joints_deg=self._joints,
+            drivers_fast=(Reading(DriverFast(self.driver_deg_s, 0.0, None), now_s),) * 6,
             drivers_slow=(None if "drivers" in self.silent else driver,) * 6,
             limits=(limits,) * 6,
         )
@@ -96,7 +99,13 @@ class Arm:
             self.look()
 
     def send(
-        self, target=THERE, kind=CommandKind.JOINTS, percent=30, mode=MoveMode.MOVE_J, tool=None
+        self,
+        target=THERE,
+        kind=CommandKind.JOINTS,
+        percent=30,
+        mode=MoveMode.MOVE_J,
+        tool=None,
+        pace=None,
     ):
         """A command of ours."""
         return self.authority.begin(
@@ -106,6 +115,7 @@ class Arm:
             speed_percent=percent,
             joints_deg=target,
             tool=tool,
+            pace=pace,
         )
 
     def turn(self, steps: int, deg: float = 1.0) -> None:
@@ -113,6 +123,26 @@ class Arm:
         for _ in range(steps):
             self.joints_deg = (self.joints_deg[0] + deg, *self.joints_deg[1:])
             self.wait(0.02)
+
+    def move(self) -> None:
+        """It is on its way, and says so."""
+        self.status = status(reached=False)
+        self.turn(5)
+
+    def meet(self) -> None:
+        """This program comes while the arm is on its way to a target of somebody else."""
+        self.authority = Authority()
+        self.move()
+
+    def cancel(self) -> None:
+        """The arm is told to end its motion."""
+        self.authority.cancelled(self.now_s)
+
+    def take_over(self) -> None:
+        """Another host moves it for a moment, and the operator takes it over."""
+        self.other()
+        self.turn(30)
+        assert self.authority.take_over() is None
 
     def arrive(self, target=THERE) -> None:
         """The arm gets there and rests."""

@@ -71,10 +71,16 @@ def _push(arm):
     arm.joints_deg = NOWHERE
 
 
-def _change_limits(arm):
+def _narrow_limits(arm):
     arm.limits = JointLimits(-90.0, 90.0, 100.0)
     arm.wait(0.1)
     arm.limits = JointLimits(-80.0, 90.0, 100.0)
+
+
+def _widen_limits(arm):
+    arm.limits = JointLimits(-80.0, 90.0, 100.0)
+    arm.wait(0.1)
+    arm.limits = JointLimits(-90.0, 90.0, 100.0)
 
 
 ENDS = {
@@ -86,7 +92,8 @@ ENDS = {
     "status silent": (_mute_status, End.SILENT),
     "angles silent": (_mute_joints, End.SILENT),
     "pushed away": (_push, End.MOVED_AWAY),
-    "limits changed": (_change_limits, End.LIMITS_CHANGED),
+    "narrower limits": (_narrow_limits, End.LIMITS_CHANGED),
+    "wider limits": (_widen_limits, End.LIMITS_CHANGED),
     "cancel": (lambda arm: arm.authority.cancelled(arm.now_s), End.CANCELLED),
     "zero": (lambda arm: arm.authority.end_command(End.ZERO_CHANGED), End.ZERO_CHANGED),
     "new connection": (lambda arm: arm.authority.end_command(End.FORGOTTEN), End.FORGOTTEN),

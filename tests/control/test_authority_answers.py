@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from armui.control.authority import Authority
+from armui.arm.limits import JointLimits
+from armui.control.authority import MET_MOVING, Authority
 from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.motion_command import HELD_AT_ZERO, PLAN_PAUSED, CommandKind, End, Mover
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
-from armui.control.safety.other_command import OTHER_HOST
+from armui.control.safety.other_command import NOBODY_ELSE, OTHER_HOST
 from armui.protocol.codes import ControlMode, MoveMode
 from tests.control.heard_arm import HERE, NOWHERE, THERE, Arm, status
+from tests.moments import now
 
 LEADER = (0x151, 0x155, 0x156, 0x157, 0x159)
 TOOL = (object(),)
@@ -130,6 +132,126 @@ def test_the_first_reason_against_a_motion(arm):
     assert arm.authority.why_not().reason == FEEDBACK_SILENT
 
 
+# What somebody else may have left in the arm ------------------------------------------------------
+
+
+def rests(arm):
+    arm.wait(0.5)
+
+
+def arrives(arm):
+    arm.status = status()
+    arm.look()
+
+
+def paused(arm):
+    arm.authority.paused()
+
+
+def goes_on(arm):
+    arm.authority.went_on(arm.now_s)
+
+
+def nothing_to_take_over(arm):
+    assert arm.authority.take_over().reason == NOBODY_ELSE
+
+
+def ends(reason):
+    return lambda arm: arm.authority.end_command(reason)
+
+
+def other_host_heard_late(arm):
+    """What it sent before our command is read after it: it does not end that."""
+    arm.other()
+    arm.now_s += 0.01
+    arm.send()
+    arm.status = status(**MOVING)
+    arm.turn(30)
+    assert arm.authority.take_over() is None
+
+
+another_arm, another_connection = ends(End.SILENT), ends(End.FORGOTTEN)
+
+
+@pytest.mark.parametrize(
+    ("happens", "refused", "may_hold", "seems"),
+    [
+        ((), False, True, True),
+        # it moved when it was met, until it is seen to have ended, or is ruled from here
+        ((Arm.meet,), True, True, True),
+        ((Arm.meet, nothing_to_take_over), True, True, True),
+        ((Arm.meet, rests), False, True, True),
+        ((Arm.meet, arrives), False, True, True),
+        ((Arm.meet, Arm.take_over), False, True, True),
+        ((Arm.meet, paused), False, True, True),
+        ((Arm.meet, goes_on), False, False, False),
+        ((Arm.meet, Arm.cancel), False, False, False),
+        ((Arm.meet, Arm.send), False, False, False),
+        ((Arm.meet, Arm.send, ends(End.STOPPED)), False, False, False),
+        ((Arm.meet, Arm.send, ends(End.NOT_SENT)), False, False, False),
+        ((other_host_heard_late,), False, False, False),
+        # in a silence another host may have been there
+        ((Arm.send, another_arm), True, True, True),
+        ((Arm.cancel, another_arm), True, True, False),
+        ((Arm.cancel, another_arm, Arm.take_over), False, True, True),
+        ((Arm.cancel, Arm.send, another_arm), True, True, True),
+        ((Arm.cancel, another_connection), True, True, True),
+    ],
+)
+def test_whether_an_arm_short_of_its_target_may_go_on_to_one_of_somebody_else(
+    arm, happens, refused, may_hold, seems
+):
+    for each in happens:
+        each(arm)
+    arm.move()
+    authority = arm.authority
+    assert authority.moves
+    assert authority.why_not_ours() == (MET_MOVING() if refused else None)
+    assert (authority.may_hold_another, authority.seems_to_hold_another) == (may_hold, seems)
+
+
+def test_at_its_target_it_holds_nothing_and_unheard_it_may(arm):
+    assert arm.authority.may_hold_another is arm.authority.seems_to_hold_another is False
+    assert Authority().may_hold_another is Authority().seems_to_hold_another is True
+    arm.silent.add("status")
+    arm._status = None
+    arm.look()
+    assert arm.authority.may_hold_another is True
+
+
+def replay_told(arm):
+    arm.authority.replay_told(arm.now_s)
+
+
+def limits_change(arm):
+    for least_deg in (-90.0, -80.0):
+        arm.limits = JointLimits(least_deg, 90.0, 100.0)
+        arm.look()
+
+
+@pytest.mark.parametrize(
+    ("happens", "ours", "ending"),
+    [
+        ((), False, False),
+        ((Arm.send,), True, False),
+        ((held_back,), True, False),
+        ((replay_told,), True, False),
+        ((Arm.move,), True, False),
+        ((Arm.send, Arm.move, limits_change), True, False),
+        ((Arm.other, Arm.move), False, False),
+        ((led_by_hand, pushed), False, False),
+        ((Arm.send, Arm.move, Arm.cancel), False, True),
+        ((Arm.send, Arm.move, Arm.cancel, rests), False, False),
+    ],
+)
+def test_whether_what_moves_may_be_ours_to_end(arm, happens, ours, ending):
+    for each in happens:
+        each(arm)
+    arm.look()
+    assert arm.authority.may_be_ours is ours
+    assert arm.authority.is_ending is ending
+
+
 # Where the next motion starts ---------------------------------------------------------------------
 
 
@@ -177,6 +299,28 @@ def test_the_angles_of_a_resting_arm_may_be_older(arm):
     assert arm.authority.measured_deg() == HERE
 
 
+def further(arm):
+    """The next setpoint of the stream under way."""
+    assert arm.authority.extend(arm.authority.command, HERE, arm.now_s) is not None
+
+
+@pytest.mark.parametrize("gives", [lambda arm: arm.send(HERE), further, goes_on])
+def test_but_not_older_than_what_may_have_set_the_arm_going(arm, gives):
+    arm.send(HERE)
+    arm.wait(0.6)
+    arm.silent.add("joints")
+    arm.wait(0.2)
+    assert arm.authority.measured_deg() == HERE
+    gives(arm)
+    arm.look()
+    assert arm.authority.measured_deg() is None
+    arm.silent.clear()
+    arm.look()
+    arm.silent.add("joints")
+    arm.wait(0.2)
+    assert arm.authority.measured_deg() == HERE
+
+
 def test_angles_that_were_never_heard_are_none(arm):
     arm.turn(3)
     arm.silent.add("joints")
@@ -195,10 +339,13 @@ def test_a_mode_word_is_in_force_before_the_arm_has_shown_it(arm, mode):
     arm.status = status(control_mode=ControlMode.STANDBY)
     arm.look()
     assert arm.authority.mode_in_force() == (ControlMode.STANDBY, MoveMode.MOVE_J)
+    assert now(arm.authority.mode_unproven) is False
     arm.send(mode=mode)
     arm.wait(0.04)
     assert arm.authority.mode_in_force() == (ControlMode.CAN_CONTROL, mode)
+    assert now(arm.authority.mode_unproven) is True
     arm.wait(0.02)
+    assert now(arm.authority.mode_unproven) is False
     assert arm.authority.mode_in_force() == (ControlMode.STANDBY, MoveMode.MOVE_J)
 
 
@@ -236,6 +383,8 @@ def test_modes_are_unknown_before_the_status_is_heard(arm):
     assert arm.authority.lowers_speed(100)
     arm.authority.arm_percent = 30
     assert not arm.authority.lowers_speed(30)
+    arm.send()
+    assert arm.authority.mode_unproven
 
 
 @pytest.mark.parametrize("how", ["another host", "another connection"])
@@ -267,13 +416,26 @@ def test_a_command_is_kept_as_it_was_sent(arm):
     assert arm.authority.is_current(command)
     assert arm.authority.arm_percent == 42
     assert arm.authority.ended is None
+    assert not command.leads_away
 
 
 def test_the_next_takes_its_place(arm):
     first = arm.send()
-    arm.send()
+    second = arm.send()
     assert arm.authority.ended is End.REPLACED
     assert not arm.authority.is_current(first)
+    arm.authority.cancelled(arm.now_s)
+    assert arm.authority.over == [(first, End.REPLACED), (second, End.CANCELLED)]
+
+
+@pytest.mark.parametrize("does", [Arm.send, Arm.cancel, ends(End.TOOL_CHANGED), another_connection])
+def test_a_check_begun_before_any_command_or_end_is_void(arm, does):
+    for _ in range(2):
+        revision = arm.authority.revision
+        arm.wait(0.1)
+        assert arm.authority.revision == revision
+        does(arm)
+        assert arm.authority.revision > revision
 
 
 def test_a_command_that_has_ended_is_none_to_go_on_with(arm):
