@@ -6,12 +6,15 @@ import pytest
 
 from armui.arm.limits import JointLimits
 from armui.arm.other_hosts import OtherHosts
+from armui.control.authority import Authority
 from armui.control.motion.motion_command import End, Hold, Mover
 from armui.control.safety.other_command import OTHER_HOST, OTHER_MODE
 from armui.protocol.codes import ArmStatusCode, ControlMode, MoveMode
 from tests.control.heard_arm import HERE, THERE, Arm, status
+from tests.moments import now
 
 MOVING = {"reached": False}
+REPLAYS = ArmStatusCode.TEACHING_RUNNING
 
 
 @pytest.fixture
@@ -105,6 +108,20 @@ def test_that_it_has_arrived_must_be_said_after_the_zero(arm, after_s, held):
     arm.authority.told_percent(0)
     arm.wait(after_s)
     assert bool(arm.authority.holds) is held
+
+
+@pytest.mark.parametrize("late", ["status", "joints"])
+def test_what_is_heard_late_does_not_say_that_it_has_arrived(arm, late):
+    arm.send()
+    arm.wait(0.1)
+    arm.authority.told_percent(0)
+    arm.wait(0.02)
+    arm.silent = {late}
+    arm.wait(0.36)
+    assert now(arm.authority.holds)
+    arm.silent = set()
+    arm.wait(0.4)
+    assert not arm.authority.holds
 
 
 def test_an_old_status_ends_no_hold(arm):
@@ -234,6 +251,88 @@ def test_other_ends_leave_a_cancel_to_be_followed(arm, reason):
     assert arm.authority.cancel_unheeded
 
 
+@pytest.mark.parametrize(
+    ("says", "unheeded"),
+    [
+        ({}, True),
+        ({"arm_status": ArmStatusCode.COLLISION}, True),
+        ({"arm_status": ArmStatusCode.EMERGENCY_STOP}, False),
+        ({"control_mode": ControlMode.TEACHING}, False),  # a hand leads it
+        ({"control_mode": ControlMode.TEACHING, "arm_status": REPLAYS}, True),
+    ],
+)
+def test_a_cancel_has_nothing_left_to_end_where_a_stop_or_a_hand_rules(arm, says, unheeded):
+    cancel_a_motion(arm)
+    arm.status = status(**MOVING, **says)
+    arm.turn(60)
+    assert arm.authority.cancel_unheeded is unheeded
+
+
+@pytest.mark.parametrize(("driver_deg_s", "due"), [(5.0, True), (0.5, False)])
+def test_a_cancel_is_told_once_more_if_the_joints_turn_when_they_could_have_braked(
+    arm, driver_deg_s, due
+):
+    authority = Authority()
+    assert not authority.cancel_is_due(1.0)
+    authority.cancelled(0.0)
+    assert not authority.cancel_is_due(1.0)  # nothing is heard
+
+    assert not arm.authority.cancel_is_due(arm.now_s)
+    for _ in range(2):
+        cancel_a_motion(arm)
+        arm.driver_deg_s = driver_deg_s
+        asked = []
+        for _ in range(20):
+            arm.turn(1)
+            asked.append(arm.authority.cancel_is_due(arm.now_s))
+        assert asked == [False] * 14 + [due] + [False] * 5
+    arm.send()
+    arm.turn(20)
+    assert not arm.authority.cancel_is_due(arm.now_s)
+
+
+# A replay of the arm's own ------------------------------------------------------------------------
+
+
+def teaches(arm, arm_status=ArmStatusCode.NORMAL):
+    arm.status = status(control_mode=ControlMode.TEACHING, arm_status=arm_status)
+
+
+def replay_told(arm):
+    teaches(arm)
+    arm.look()
+    arm.authority.replay_told(arm.now_s)
+
+
+@pytest.mark.parametrize(("after_s", "ours"), [(1.48, True), (1.54, False)])
+def test_a_replay_that_was_told_shows_within_a_second_and_a_half(arm, after_s, ours):
+    replay_told(arm)
+    arm.wait(after_s)
+    assert arm.authority.may_be_ours is ours
+
+
+def test_a_replay_that_shows_is_ours_until_it_shows_no_more(arm):
+    replay_told(arm)
+    for code in (REPLAYS, ArmStatusCode.TEACHING_PAUSED, REPLAYS):
+        teaches(arm, code)
+        arm.wait(1.0)
+        assert now(arm.authority.may_be_ours)
+    teaches(arm)
+    arm.look()
+    assert not arm.authority.may_be_ours
+
+
+ENDS_A_REPLAY = [does for what, does in ENDS_A_CANCEL.items() if what != "a motion"]
+
+
+@pytest.mark.parametrize("does", ENDS_A_REPLAY)
+def test_what_ends_the_waiting_for_a_replay(arm, does):
+    replay_told(arm)
+    does(arm)
+    arm.look()
+    assert not arm.authority.may_be_ours
+
+
 # What ends our target -----------------------------------------------------------------------------
 
 
@@ -268,6 +367,35 @@ def test_the_arm_has_three_tenths_of_a_second_to_leave_standby(arm, after_s, end
     arm.status = status(control_mode=ControlMode.STANDBY)
     arm.wait(after_s)
     assert (arm.authority.command is None) is ends
+
+
+@pytest.mark.parametrize("late", ["status", "joints"])
+def test_what_is_heard_late_does_not_say_that_it_has_not_left_standby(arm, late):
+    arm.send(HERE)
+    arm.status = status(control_mode=ControlMode.STANDBY)
+    arm.wait(0.02)
+    arm.silent = {late}
+    arm.wait(0.36)
+    assert now(arm.authority.command) is not None
+    arm.silent = set()
+    arm.wait(0.4)
+    assert arm.authority.ended is End.OTHER_MODE
+
+
+def test_angles_that_came_late_do_not_show_that_it_rests_elsewhere(arm):
+    arm.send()
+    arm.status = status(**MOVING)
+    arm.turn(20)
+    arm.silent = {"joints"}
+    arm.status = status()
+    arm.now_s += 0.1
+    arm.look()
+    assert now(arm.authority.command) is not None
+    arm.silent = set()
+    arm.joints_deg = THERE
+    arm.wait(0.7)
+    assert arm.authority.joint_base_deg() == THERE
+    assert arm.authority.command is not None
 
 
 @pytest.mark.parametrize("mode", set(ControlMode) - {ControlMode.CAN_CONTROL})
