@@ -80,7 +80,10 @@ TESTS: dict[str, Judges] = {
     ),
     "armui/bus/outbox.py": Judges(
         ("tests/bus/test_outbox*", "tests/bus/test_sending.py"),
-        ("tests/bus/test_worker.py", "tests/safety/test_s03*", "tests/safety/test_s17*"),
+        (
+            *("tests/bus/test_worker.py", "tests/safety/test_s03*"),
+            *("tests/safety/test_s17*", "tests/safety/test_s35_one_gate.py"),
+        ),
         fixtures="tests.bus.conftest",
     ),
     "armui/control/safety/emergency_stop.py": Judges(

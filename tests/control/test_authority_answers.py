@@ -108,6 +108,8 @@ def test_before_anything_is_heard_nothing_is_known():
     assert authority.holds == frozenset()
     authority.told_percent(0)
     assert authority.holds == frozenset()
+    authority.paused()
+    assert now(authority.why_held()) == PLAN_PAUSED()
 
 
 def test_before_anything_is_heard_a_command_is_not_seen_to_be_under_way():

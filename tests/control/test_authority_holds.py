@@ -34,6 +34,11 @@ def arm():
         (30, None, 29, True),
         (30, None, 30, False),
         (0, 0, 0, False),
+        # generation 2 tells none
+        (None, None, 30, True),
+        (None, 30, 29, True),
+        (None, 30, 30, False),
+        (None, 5, 30, False),
     ],
 )
 def test_a_percentage_below_the_highest_the_arm_may_have(arm, told, given, asked, lowers):

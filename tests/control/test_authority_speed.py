@@ -1,4 +1,4 @@
-"""Which speed percentage goes first, and when a motion of ours is measured too fast."""
+"""When a motion of ours is measured too fast, and when another speed may be given."""
 
 from __future__ import annotations
 
@@ -16,22 +16,6 @@ from tests.control.test_overspeed_tool import MM_PER_DEG, SLIDE
 @pytest.fixture
 def arm():
     return Arm()
-
-
-@pytest.mark.parametrize(
-    ("given", "asked", "lowers"),
-    [(None, 30, True), (30, 29, True), (30, 30, False), (5, 30, False)],
-)
-def test_which_percentage_goes_first(arm, given, asked, lowers):
-    arm.authority.arm_percent = given
-    assert arm.authority.lowers_speed(asked) is lowers
-
-
-def test_generation_1_tells_its_percentage(arm):
-    arm.authority.arm_percent = 5
-    arm.status = status(speed_percent=100)
-    arm.look()
-    assert arm.authority.lowers_speed(30)
 
 
 @pytest.mark.parametrize(("speed_deg_s", "too_fast"), [(70.0, False), (90.0, True)])

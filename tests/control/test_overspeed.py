@@ -251,7 +251,7 @@ def test_a_measurement_is_complete_with_its_last_frame(motion):
 def test_what_the_joints_did_in_a_gap_is_no_speed(motion):
     motion.turn(10.0, 8)
     motion.now_s += 0.25
-    motion.angles_deg[0] += 20.0
+    motion.angles_deg[0] += 10.0  # as fast as after it, so that it is not braking
     motion.in_time_since_s = motion.now_s
     assert motion.turn(40.0, 7) is None
     assert motion.turn(40.0, 1).params["value"] == 40.0
