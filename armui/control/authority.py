@@ -338,6 +338,14 @@ class Authority:
         known = [each for each in (told, self.arm_percent) if each is not None]
         return not known or percent < max(known)
 
+    @property
+    def most_percent(self) -> int:
+        """The highest speed, in %, that what the arm does may be given: some ways are slow."""
+        command, seen = self.command, self._seen
+        status = None if seen is None else seen.state.status
+        arrived = not self.under_way and status is not None and status.value.reached
+        return 100 if command is None or arrived else command.most_percent
+
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
         """Return the arm's modes: as reported, or as sent if it had no time to report them.
 
@@ -379,6 +387,7 @@ class Authority:
         pace: ToolPace | None = None,
         started: Started | None = None,
         way: Way | None = None,
+        most_percent: int = 100,
     ) -> MotionCommand:
         """Make a new command of ours the current one, in the place of the last.
 
@@ -393,6 +402,7 @@ class Authority:
             pace: Of a line or an arc: how fast the tool goes at 100 %.
             started: The operation that it carries out.
             way: The way that the gate has passed.
+            most_percent: The highest speed that it may be given on its way.
         """
         if self.moves:
             self._slow_down(0, now_s)
@@ -406,6 +416,7 @@ class Authority:
             *(self._number, kind, now_s, speed_percent, target_deg, tool, leads_away, pace),
             started,
             way,
+            most_percent,
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
         self._given_s = now_s

@@ -114,6 +114,7 @@ class Context:
         started: Started,
         move_mode: MoveMode,
         speed_percent: int,
+        most_percent: int = 100,
         joints_deg: Sequence[float] | None = None,
         tool: Matrix | None = None,
         leads_away: bool = False,
@@ -129,6 +130,7 @@ class Context:
             started: The operation that the motion carries out; a refusal closes it.
             move_mode: The kind of motion in the mode word.
             speed_percent: The speed percentage in the mode word.
+            most_percent: The highest one that it may be given on its way.
             joints_deg: Six target angles, where the command names them.
             tool: The target of the tool centre point, where the command names it.
             leads_away: True if the tool was measured elsewhere than its target.
@@ -155,6 +157,7 @@ class Context:
             leads_away=leads_away,
             pace=self._pace(way) if way else None,
             way=passed.way,
+            most_percent=most_percent,
         )
         self.connection.void(command.number)
         if not self.connection.send([*lead, *frames], keep_s, command.number, passed):

@@ -525,6 +525,23 @@ def test_the_joint_in_doubt_is_driven_by_nothing_during_the_check(lost):
     assert lost.firmware.joints_deg[0] == pytest.approx(0.0)
 
 
+def test_the_check_drives_slowly_after_a_pause_too(lost):
+    controller, reference = lost.controller, lost.controller.reference
+    controller.motion.set_speed_percent(60)
+    accepted(reference.begin())
+    reference.look(())
+    lost.run(0.1)
+    accepted(reference.drive(1))
+    lost.run(0.2)
+    accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
+    lost.run(0.3)
+    lost.heard()
+    accepted(controller.planned_motion.command(TrajectoryCommand.CONTINUE))
+    lost.run(0.3)
+    assert {each.data[2] for each in lost.heard() if each.arbitration_id == 0x151} <= {5}
+    assert lost.firmware.condition.speed_percent == 5
+
+
 def test_a_check_that_finds_it_off_keeps_the_doubt_and_one_after_the_reset_ends_it(lost):
     controller, reference = lost.controller, lost.controller.reference
     accepted(reference.begin())

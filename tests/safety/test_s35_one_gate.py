@@ -79,6 +79,10 @@ def ids(rig: ArmRig) -> list[int]:
     return [frame.arbitration_id for frame in rig.heard()]
 
 
+def percents(heard: list[Frame]) -> set[int]:
+    return {frame.data[2] for frame in heard if frame.arbitration_id == 0x151}
+
+
 def why(rig: ArmRig):
     """Why the last motion was refused after its press."""
     told = [event for event in rig.events if event.notice == REFUSED]
@@ -260,6 +264,17 @@ def test_a_press_that_is_refused_voids_what_waits_too(moving, press):
     assert 0x155 not in ids(rig)
 
 
+def test_it_leaves_at_the_speed_that_was_chosen_while_it_braked(moving):
+    rig = moving
+    accepted(rig.controller.motion.send_joints(BACK))
+    rig.run(0.06)
+    accepted(rig.controller.motion.set_speed_percent(10))
+    rig.run(1.0)
+    heard = rig.heard()
+    assert 0x155 in {frame.arbitration_id for frame in heard}
+    assert percents(heard) == {10}
+
+
 # A check that takes its time ---------------------------------------------------------------------
 
 
@@ -273,6 +288,27 @@ def test_nothing_leaves_before_the_check_has_answered(slow):
     rig.step()
     assert 0x155 in ids(rig)
     assert isinstance(started, Started)
+
+
+@pytest.mark.parametrize(
+    "press",
+    [
+        lambda arm: arm.motion.send_joints(THERE),
+        lambda arm: arm.motion.jog(1, 30.0),
+        lambda arm: arm.cartesian.step(2, 40.0, JogFrame.BASE),
+    ],
+)
+def test_it_leaves_at_the_speed_that_was_chosen_while_it_was_checked(slow, press):
+    rig, thread = slow
+    accepted(press(rig.controller))
+    rig.run(0.1)
+    accepted(rig.controller.motion.set_speed_percent(10))
+    rig.run(0.1)
+    rig.heard()
+    thread.work()
+    rig.run(0.1)
+    assert percents(rig.heard()) == {10}
+    assert rig.controller.operating_state.moving
 
 
 def test_an_answer_a_second_late_counts_no_more(slow):

@@ -19,7 +19,7 @@ from armui.control.operations.started import Started
 from armui.control.run.replay import Replay
 from armui.control.safety.recovery_steps import StepKind
 from armui.kinematics.axes import JogFrame
-from armui.protocol.codes import MoveMode
+from armui.protocol.codes import MoveMode, TrajectoryCommand
 from armui.protocol.generation import PiperModel
 from armui.trajectory.samples.recording import Recording
 from armui.ui import words
@@ -321,6 +321,30 @@ def test_the_way_back_is_slow_whatever_the_speed_is(resting):
     fastest = [each.max_speed_deg_s * SLOW_PERCENT / 100.0 for each in FACTORY_LIMITS]
     assert (resting.watch.speeds_deg_s <= np.array(fastest) * 1.02 + NOISE_DEG).all()
     assert resting.watch.speeds_deg_s.max() > 0.0
+
+
+@pytest.mark.parametrize("happens", ["pause", "0 %", "the speed is raised"])
+def test_the_way_back_stays_slow(resting, happens):
+    controller = resting.controller
+    controller.motion.set_speed_percent(60)
+    answer = accepted(controller.motion.come_inside())
+    resting.run(0.1)
+    if happens == "the speed is raised":
+        accepted(controller.motion.set_speed_percent(90))
+    else:
+        if happens == "pause":
+            accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
+        else:
+            accepted(controller.motion.set_speed_percent(0))
+        resting.run(1.0)
+        controller.motion.set_speed_percent(60)
+        accepted(controller.planned_motion.command(TrajectoryCommand.CONTINUE))
+    resting.run(0.1)
+    assert resting.firmware.condition.speed_percent == SLOW_PERCENT
+    resting.run_until(lambda: answer.ending is not None, seconds=40.0)
+    rested_percent = controller.motion.speed_percent
+    resting.run_until(lambda: resting.firmware.condition.speed_percent == rested_percent)
+    assert resting.firmware.joints_deg[4] == pytest.approx(CLEAR_J5_DEG, abs=0.5)
 
 
 def test_after_the_way_back_the_arm_is_ready_and_moves(resting):

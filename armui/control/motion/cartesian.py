@@ -281,9 +281,9 @@ class Cartesian(ControllerPart):
             *points: Start, middle and end.
         """
         start, middle, end = (flange_pose(point, self.tool) for point in points)
-        context, percent = self._context, self._motion.speed_percent
+        context = self._context
 
-        def frames() -> list[Frame]:
+        def frames(percent: int) -> list[Frame]:
             codec = context.connection.codec
             leading = leading_mode(codec, context.state(), MoveMode.MOVE_C, percent)
             return leading + commands.move_arc(codec, start, middle, end, speed_percent=percent)
@@ -317,10 +317,10 @@ class Cartesian(ControllerPart):
         notice: Notice,
         figures: dict[str, object],
     ) -> Refusal | None:
-        context, percent = self._context, self._motion.speed_percent
+        context = self._context
         flange = flange_pose(target, self.tool)
 
-        def frames() -> list[Frame]:
+        def frames(percent: int) -> list[Frame]:
             codec = context.connection.codec
             leading = leading_mode(codec, context.state(), move_mode, percent)
             return leading + commands.move_pose(
@@ -340,9 +340,9 @@ class Cartesian(ControllerPart):
             started=started,
             kind=CommandKind.POSE,
             move_mode=move_mode,
-            speed_percent=self._motion.speed_percent,
+            speed_percent=lambda: self._motion.speed_percent,
             plan=plan,
-            frames=list,
+            frames=lambda _percent: [],
             why_not=why_not_move,
             tool=pose_to_matrix(target),
             leads_away=self._leads_away(target),

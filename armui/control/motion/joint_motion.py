@@ -158,7 +158,7 @@ class Motion(ControllerPart):
         )
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
-            context.tell(SENT_SPEED, started, percent=self.speed_percent)
+            context.tell(SENT_SPEED, started, percent=context.authority.arm_percent)
             if lower and context.authority.may_be_ours:
                 self._lower_speed.schedule()
         elif context.authority.holds:
@@ -257,7 +257,8 @@ class Motion(ControllerPart):
             self._context,
             started,
             target_deg,
-            min(COME_INSIDE_PERCENT, self.speed_percent),
+            lambda: self.speed_percent,
+            most_percent=COME_INSIDE_PERCENT,
             why_not=why_not_move,
             told=(COMES_INSIDE, reports.numbered(target_deg)),
         )
@@ -271,6 +272,8 @@ class Motion(ControllerPart):
             return
         if command is None or command.number != self._next_after:
             self._next_deg = ()
+        elif authority.holds:
+            pass  # the first part is not over
         elif authority.at_rest and not authority.under_way and command.started is not None:
             targets, self._next_deg = self._next_deg, ()
             started = record_start(self.come_inside)
@@ -288,7 +291,7 @@ class Motion(ControllerPart):
             context,
             started,
             angles_deg,
-            self.speed_percent,
+            lambda: self.speed_percent,
             why_not=why_not_move,
             told=(notice, figures),
         )
@@ -305,7 +308,7 @@ class Motion(ControllerPart):
         context = self._context
         authority = context.authority
         given = authority.arm_percent
-        if given is None or given == self.speed_percent:
+        if given is None or given == min(self.speed_percent, authority.most_percent):
             return
         slower = given > self.speed_percent and authority.may_be_ours
         if not authority.at_rest and not slower:

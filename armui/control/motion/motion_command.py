@@ -114,6 +114,7 @@ class MotionCommand:
         pace: Of a line or an arc: how fast the tool goes at 100 %.
         started: The operation that it carries out.
         way: The way that the gate has passed; ``None`` of a stream.
+        most_percent: The highest speed that it may be given on its way.
     """
 
     number: int
@@ -126,6 +127,7 @@ class MotionCommand:
     pace: ToolPace | None = None
     started: Started | None = None
     way: Way | None = None
+    most_percent: int = 100
 
     @property
     def tool_mm_s(self) -> float:

@@ -26,10 +26,11 @@ class MotionContext(Context):
         It changes how fast the arm goes on a way that was passed, and no way.
 
         While a motion is held back, or may be, only 0 % is sent: any other value would set it
-        going.
+        going. One that is slow by itself is given no more than its own.
         """
         self.observe()
         authority = self.authority
+        percent = min(percent, authority.most_percent)
         refusal = authority.why_no_speed(percent)
         mode = None if refusal is not None else authority.mode_in_force()
         passed = self.gate().ask_no_way()

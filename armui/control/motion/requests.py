@@ -23,8 +23,9 @@ def joint_request(
     context: Context,
     started: Started,
     target_deg: Sequence[float],
-    speed_percent: int,
+    speed_percent: Callable[[], int],
     *,
+    most_percent: int = 100,
     why_not: Callable[[OperatingState], Refusal | None],
     told: tuple[Notice, Mapping[str, object]] | None = None,
     kind: CommandKind = CommandKind.JOINTS,
@@ -35,7 +36,8 @@ def joint_request(
         context: The context that the controller's parts share.
         started: The record of its operation.
         target_deg: The six angles.
-        speed_percent: The speed in the mode word.
+        speed_percent: Returns the speed in the mode word.
+        most_percent: The highest one that it may be given.
         why_not: Returns what speaks against it beside its way.
         told: The notice, with its figures, that it is sent.
         kind: The kind of the command.
@@ -51,9 +53,10 @@ def joint_request(
         kind=kind,
         move_mode=MoveMode.MOVE_J,
         speed_percent=speed_percent,
+        most_percent=most_percent,
         plan=plan,
-        frames=lambda: commands.move_joints(
-            context.connection.codec, target_deg, speed_percent=speed_percent
+        frames=lambda percent: commands.move_joints(
+            context.connection.codec, target_deg, speed_percent=percent
         ),
         why_not=why_not,
         joints_deg=tuple(target_deg),

@@ -46,7 +46,6 @@ from armui.trajectory.points.program import GripperAction, Waypoint
 
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
-    from armui.control.motion.motion_command import MotionCommand
 
 RUN_SPEED_ZERO = Reason(
     "run_speed_zero", "The speed is 0 %: raise it at the top, then hold “Continue” for 1 s."
@@ -377,7 +376,7 @@ class Player(Execution):
         self._due_s = self._due_s if again else self._context.clock()
         self._owed = False
         point = self._point(run)
-        context, percent = self._context, self._percent
+        context = self._context
         self._since_s = self._looked_s = context.clock()
         self._watch, self._phase = None, RunPhase.MOVING
         refusal = context.gate().send(
@@ -385,13 +384,13 @@ class Player(Execution):
                 started=record_start(self.start),
                 kind=CommandKind.RUN,
                 move_mode=point.move,
-                speed_percent=percent,
+                speed_percent=lambda: self._percent,
                 plan=lambda begin_deg: point_way(point, self._arm(), begin_deg),
-                frames=lambda: point_frames(self._codec, point, context.state(), percent),
+                frames=lambda percent: point_frames(self._codec, point, context.state(), percent),
                 why_not=lambda now: now.cannot_run,
                 joints_deg=point.target if point.is_joint else None,
                 tool_way=tool_way(point, context.state()),
-                sent=lambda command: self._on_sent(point, command),
+                sent=lambda _command: self._on_sent(point),
                 refused=self._refused,
             )
         )
@@ -406,10 +405,9 @@ class Player(Execution):
         if not self._owed or self._context.clock() - self._due_s > _UNKNOWN_FOR_S:
             self._fail(refusal)
 
-    def _on_sent(self, point: Waypoint, command: MotionCommand) -> None:
+    def _on_sent(self, point: Waypoint) -> None:
         self._since_s = self._looked_s = self._context.clock()
-        # the speed may have been changed while the gate checked the way
-        self._untold = command.speed_percent != self._percent
+        self._untold = False
         self._watch = ArrivalWatch(point, self._since_s)
 
     def _arm(self) -> ArmModel:

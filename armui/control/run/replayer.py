@@ -277,12 +277,11 @@ class Replayer(Execution):
         self._watch = self._passed = None
         self._since_s = self._looked_s = self._context.clock()
         self._phase = RunPhase.MOVING
-        percent = self._approach_percent
         request = joint_request(
             self._context,
             record_start(self.start),
             self._way_in[0] if self._way_in else replay.first_deg,
-            percent,
+            lambda: self._approach_percent,
             why_not=lambda now: now.cannot_run,
             kind=CommandKind.RUN,
         )
@@ -298,8 +297,7 @@ class Replayer(Execution):
             return
         self._passed = self._context.gate().passed(command)
         self._since_s = self._looked_s = self._context.clock()
-        # the speed may have been changed while the gate checked the way
-        self._waited_s, self._untold = 0.0, command.speed_percent != self._approach_percent
+        self._waited_s, self._untold = 0.0, False
         target_deg = self._way_in[0] if self._way_in else replay.first_deg
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, target_deg), self._since_s)
 

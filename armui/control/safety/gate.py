@@ -83,9 +83,12 @@ class MotionRequest:
 
     Attributes:
         started: The record of its operation.
-        kind, move_mode, speed_percent: As in :meth:`Context.send_motion`.
+        kind, move_mode, most_percent: As in :meth:`Context.send_motion`.
+        speed_percent: Returns its speed, in %: asked as it leaves, as it may have been lowered
+            since the press.
         plan: Returns its way.
-        frames: Returns the targets and the mode word in order, or why there are none.
+        frames: Returns the targets and the mode word in order for that speed, or why there are
+            none.
         why_not: Returns what speaks against it beside its way, from the operating state.
         joints_deg, tool, leads_away, tool_way, keep_s: As in :meth:`Context.send_motion`.
         told: The notice, with its figures, that the operator is told once it is sent.
@@ -96,15 +99,16 @@ class MotionRequest:
     started: Started
     kind: CommandKind
     move_mode: MoveMode
-    speed_percent: int
+    speed_percent: Callable[[], int]
     plan: Plan
-    frames: Callable[[], Sequence[Frame] | Refusal]
+    frames: Callable[[int], Sequence[Frame] | Refusal]
     why_not: Callable[[OperatingState], Refusal | None]
     joints_deg: Sequence[float] | None = None
     tool: Matrix | None = None
     leads_away: bool = False
     tool_way: Sequence[Sequence[float]] = ()
     keep_s: float | None = None
+    most_percent: int = 100
     told: tuple[Notice, Mapping[str, object]] | None = None
     sent: Callable[[MotionCommand], object] = _nothing
     refused: Callable[[Refusal], object] | None = None
@@ -406,7 +410,8 @@ class Gate(ControllerPart):
         return self._threads.submit(work)
 
     def _send(self, request: MotionRequest, passed: Pass) -> Refusal | None:
-        frames = request.frames()
+        percent = min(request.speed_percent(), request.most_percent)
+        frames = request.frames(percent)
         if isinstance(frames, Refusal):
             return frames
         sent = self._context.send_motion(
@@ -415,7 +420,8 @@ class Gate(ControllerPart):
             passed=passed,
             started=request.started,
             move_mode=request.move_mode,
-            speed_percent=request.speed_percent,
+            speed_percent=percent,
+            most_percent=request.most_percent,
             joints_deg=request.joints_deg,
             tool=request.tool,
             leads_away=request.leads_away,

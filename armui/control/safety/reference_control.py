@@ -244,7 +244,6 @@ class ReferenceControl(ControllerPart):
         It goes at the operator's speed where that is lower than the check's own.
         """
         context, check = self._context, self.check
-        now = context.operating_state()
         measured_deg = context.authority.measured_deg()
         if check is None:
             return CHECK_NOT_OPEN()
@@ -257,7 +256,8 @@ class ReferenceControl(ControllerPart):
             context,
             started,
             target_deg,
-            min(_DRIVE_PERCENT, now.speed_percent),
+            lambda: context.operating_state().speed_percent,
+            most_percent=_DRIVE_PERCENT,
             why_not=lambda now: why_not_drive(now, joint),
             told=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
         )
