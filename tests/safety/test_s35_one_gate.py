@@ -15,6 +15,8 @@ from armui.cell.work_area import Area, AreaBox
 from armui.control.context import REFUSED
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
+from armui.control.run.progress import Run, RunPhase
+from armui.control.run.replay import Replay
 from armui.control.safety import gate
 from armui.control.safety.gate import BEGAN_ELSEWHERE, NOT_IN_TIME
 from armui.control.safety.interlocks import SPEED_ZERO
@@ -22,14 +24,17 @@ from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.motion_frames import is_motion_frame
+from armui.trajectory.points.program import Waypoint
 from armui.ways.passes import Pass
 from tests.accepted import accepted
 from tests.arm_rig import ArmRig
 from tests.each import check_each
+from tests.safety.test_s12_speed_override import even_turn
 
 HERE = (0.0, 40.0, -40.0, 0.0, 20.0, 0.0)
 THERE = (60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
 BACK = (-60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
+RUN = Run("run", [Waypoint(MoveMode.MOVE_J, THERE)], [2.0])
 FAR_BOX = AreaBox("far", (2000.0, 0.0, 0.0, 0.0, 0.0, 0.0), (50.0, 50.0, 50.0))
 
 
@@ -309,6 +314,30 @@ def test_it_leaves_at_the_speed_that_was_chosen_while_it_was_checked(slow, press
     rig.run(0.1)
     assert percents(rig.heard()) == {10}
     assert rig.controller.operating_state.moving
+
+
+@pytest.mark.parametrize("by", ["pause", "0 %"])
+@pytest.mark.parametrize("part", ["player", "replayer"])
+def test_what_is_paused_while_its_way_is_checked_sends_nothing_before_it_goes_on(slow, part, by):
+    rig, thread = slow
+    run, controller = getattr(rig.controller, part), rig.controller
+    accepted(run.start(RUN if part == "player" else Replay(even_turn())))
+    rig.run(0.1)
+    accepted(run.pause() if by == "pause" else controller.motion.set_speed_percent(0))
+    rig.run(0.1)
+    thread.work()
+    rig.run(0.5)
+    assert ids(rig) == []
+    assert run.phase is RunPhase.PAUSED
+    if by == "0 %":
+        accepted(controller.motion.set_speed_percent(30))
+    accepted(run.go_on())
+    rig.step()
+    assert ids(rig) == []
+    thread.work()
+    rig.run(0.1)
+    assert 0x155 in ids(rig)
+    assert run.progress.phase is RunPhase.MOVING
 
 
 def test_an_answer_a_second_late_counts_no_more(slow):

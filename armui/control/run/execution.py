@@ -162,6 +162,13 @@ class Execution(QObject, ControllerPart):
         self._rest = RestWatch()
         self._phase = RunPhase.STOPPING
 
+    def _hold_back(self, *, sent: bool) -> None:
+        """Have the arm hold back what was sent; what the gate still checks is not sent any more."""
+        if sent:
+            self._hold.send()
+        else:
+            self._context.gate().halt()
+
     def _await_hold(self) -> None:
         """Begin to measure: an arm that is told to pause still moves."""
         self._rest = RestWatch()

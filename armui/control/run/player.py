@@ -179,7 +179,7 @@ class Player(Execution):
         if self._phase not in {RunPhase.MOVING, RunPhase.DWELLING}:
             return NOT_RUNNING()
         if self._phase is RunPhase.MOVING:
-            self._hold.send()
+            self._hold_back(sent=self._watch is not None)
         self._paused_phase, self._phase = self._phase, RunPhase.PAUSED
         self._paused_s = self._context.clock()
         self._await_hold()
@@ -201,7 +201,8 @@ class Player(Execution):
             return None
         if refusal is not None:
             return self._context.refuse(refusal)
-        if self._paused_phase is RunPhase.MOVING:
+        unsent = self._paused_phase is RunPhase.MOVING and self._watch is None
+        if self._paused_phase is RunPhase.MOVING and not unsent:
             refusal = self._let_go_on(self._percent)
             if refusal is not None:
                 return self._context.refuse(refusal)
@@ -212,6 +213,8 @@ class Player(Execution):
         started.close(Ending.SENT)
         self._context.begun(started.operation)
         self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
+        if unsent:
+            self._send_point()
         self._publish()
         return started
 

@@ -157,8 +157,8 @@ class Replayer(Execution):
         return None
 
     def _pause(self, started: Started) -> None:
-        if self._watch is not None:
-            self._hold.send()
+        if self._watch is not None or self._passed is None:
+            self._hold_back(sent=self._watch is not None)
         self._phase = RunPhase.PAUSED
         self._await_hold()
         started.close(Ending.SENT)
@@ -170,10 +170,15 @@ class Replayer(Execution):
     )
     def go_on(self, started: Started) -> Refusal | None:
         """End a pause."""
-        if self._phase is not RunPhase.PAUSED:
+        replay, refusal = self._replay, None
+        if self._phase is not RunPhase.PAUSED or replay is None:
             return NOT_PAUSED()
-        refusal = None if self._watch is None else self._let_go_on(self._approach_percent)
+        if self._passed is None:  # it was paused while the gate checked its way
+            refusal = self._approach(replay)
+        elif self._watch is not None:
+            refusal = self._let_go_on(self._approach_percent)
         if refusal is not None:
+            self._phase = RunPhase.PAUSED
             return refusal
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
@@ -275,6 +280,7 @@ class Replayer(Execution):
 
     def _send_off(self, replay: Replay) -> Refusal | None:
         self._watch = self._passed = None
+        self._pace = 0.0
         self._since_s = self._looked_s = self._context.clock()
         self._phase = RunPhase.MOVING
         request = joint_request(
