@@ -21,7 +21,7 @@ from armui.control.safety import gate
 from armui.control.safety.gate import BEGAN_ELSEWHERE, NOT_IN_TIME
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.kinematics.axes import JogFrame
-from armui.protocol.codes import MoveMode
+from armui.protocol.codes import MoveMode, TeachingState
 from armui.protocol.frame import Frame
 from armui.protocol.motion_frames import is_motion_frame
 from armui.trajectory.points.program import Waypoint
@@ -338,6 +338,18 @@ def test_what_is_paused_while_its_way_is_checked_sends_nothing_before_it_goes_on
     rig.run(0.1)
     assert 0x155 in ids(rig)
     assert run.progress.phase is RunPhase.MOVING
+
+
+def test_drag_teaching_voids_what_is_still_checked(slow):
+    rig, thread = slow
+    waits = accepted(rig.controller.motion.send_joints(THERE))
+    rig.run(0.1)
+    accepted(rig.controller.teaching.command(TeachingState.START_RECORDING))
+    thread.work()
+    rig.controller.tick()  # the arm has not said yet that a hand may lead it
+    rig.run(0.5)
+    assert ids(rig) == [0x150]
+    assert waits.ending is Ending.CUT_OFF
 
 
 def test_an_answer_a_second_late_counts_no_more(slow):

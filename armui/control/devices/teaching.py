@@ -9,6 +9,7 @@ from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.devices.teaching_phase import DRIVES, TeachingPhase, phase_of, why_not_teach
 from armui.control.events import Notice
+from armui.control.motion.motion_context import drop_waiting
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Started
 from armui.control.requests.pending import EndNotices, RequestingPart
@@ -61,7 +62,13 @@ class TeachingControl(RequestingPart[TeachingState]):
         """The command that the feedback has not shown yet, or ``None``."""
         return self._pending.kind
 
-    @operation("teaching.command", "Command drag teaching", why_not_teach, moves=True)
+    @operation(
+        "teaching.command",
+        "Command drag teaching",
+        why_not_teach,
+        moves=True,
+        first=drop_waiting,
+    )
     def command(self, started: Started, command: TeachingState) -> Refusal | None:
         """Give a command of 0x150 byte 2."""
         context = self._context
