@@ -346,8 +346,13 @@ class ArmState(NamedTuple):
         return self.in_time_for_s(now_s) > 0.0
 
     def end_pose(self) -> Six[float] | None:
-        """Return X, Y, Z in mm and RX, RY, RZ in degrees, or ``None`` while one is unknown."""
-        return _six_values(self.pose)
+        """Return X, Y, Z in mm and RX, RY, RZ in degrees, or ``None`` while one is unknown.
+
+        One that is not heard while the joint angles are is none of the place the arm is at.
+        """
+        angle_s = max((each.at_s for each in self.joints_deg if each is not None), default=0.0)
+        heard = all(each is None or is_fresh(each.at_s, angle_s) for each in self.pose)
+        return _six_values(self.pose) if heard else None
 
     def enabled(self) -> Six[bool | None]:
         """Return whether each motor is enabled; ``None`` for a motor not heard yet."""

@@ -2,13 +2,18 @@
 
 import pytest
 
+from armui.control.motion.cartesian import POSE_UNKNOWN
 from armui.control.motion.jog_path import JointJog
+from armui.control.motion.point_frames import ARC_START_UNKNOWN
+from armui.control.run.progress import Run
 from armui.kinematics.axes import JogFrame
 from armui.protocol.codes import MoveMode
+from armui.trajectory.points.program import Waypoint
 from tests.accepted import accepted
 from tests.safety.talk import MOTION_IDS
 
 A = (30.0, 30.0, -30.0, 0.0, 0.0, 0.0)
+BENT = (-50.0, 0.0, 20.0, 0.0)
 
 
 @pytest.fixture
@@ -51,6 +56,25 @@ def test_a_jog_ends_when_the_angles_fall_silent(ready):
     rig.run(0.12)
 
     assert not controller.jogging.active
+
+
+@pytest.mark.each_value(full="each silence in both generations")
+@pytest.mark.parametrize("silent", [0x2A2, 0x2A3, 0x2A4])
+def test_a_pose_that_is_not_heard_is_none(ready, silent):
+    """The arm goes elsewhere meanwhile: no arc begins, and no step is measured, at its old pose."""
+    rig, controller = ready, ready.controller
+    forward = controller.cartesian.kinematics().forward
+    begin, *more = ((40.0, 50.0, *BENT), (50.0, 55.0, *BENT), (60.0, 50.0, *BENT))
+    middle, end = (tuple(forward(each)) for each in more)
+    points = [Waypoint(MoveMode.MOVE_J, begin), Waypoint(MoveMode.MOVE_C, end, middle)]
+    rig.node.link.mute_on.add(silent)
+    accepted(controller.player.start(Run("arc", points, [2.0, 2.0])))
+    rig.run(4.0)
+
+    assert controller.player.progress.refusal == ARC_START_UNKNOWN()
+    assert controller.cartesian.step(2, 1.0, JogFrame.BASE) == POSE_UNKNOWN()
+    assert controller.state.end_pose() is None
+    assert rig.firmware.joints_deg[0] == pytest.approx(40.0, abs=0.1)
 
 
 def test_the_word_for_it_names_every_frame_that_is_missing(ready):
