@@ -240,6 +240,11 @@ class Outbox:
                 self._await(frames, port)
             return self._port is port and self._are_out(frames)
 
+    def let_urgent_out(self, within_s: float) -> None:
+        """Wait for the sending thread to have sent what is urgent, for a time at most."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._port is None or not self._urgent, within_s)
+
     def wait_for_work(self, bus: can.BusABC) -> bool:
         """Wait until a frame is to be sent on this bus; return false once it is detached."""
         with self._changed:

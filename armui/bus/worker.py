@@ -56,6 +56,9 @@ _BURST: Final = 256
 _PICTURE_S: Final = 0.005
 """The least time between two snapshots of the arm: the screen shows one every 16 ms."""
 
+_LAST_S: Final = 0.5
+"""A device that is closed may take this long for a stop, or for the end of a motion."""
+
 _REOPEN_S: Final = 0.5
 """A lost device is tried again after this time."""
 
@@ -230,6 +233,7 @@ class BusWorker(QThread):
                 if sender.failure is not None:
                     raise sender.failure
                 self._look_after_bus()
+            self._outbox.let_urgent_out(_LAST_S)
         finally:
             self._notifier.flush(self._processor.codec, self._clock())
             self._outbox.detach()

@@ -9,11 +9,15 @@ import pytest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.device import Device
+from armui.bus import worker
 from armui.control.arm_controller import ArmController
 from armui.control.link.link_state import LinkState
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.jogging import Jogging
+from armui.control.run.progress import Run
+from armui.protocol.codes import MoveMode
 from armui.protocol.frame import Frame
+from armui.trajectory.points.program import Waypoint
 from armui.ui.dialogs.confirm_dialog import CloseQuestion, ConfirmDialog
 from armui.ui.shell.leaving import gives_way
 from tests.accepted import accepted
@@ -186,6 +190,22 @@ def test_a_jog_that_cannot_be_ended_does_not_keep_the_program_open(rig):
         assert rig.controller.shutdown()
     assert rig.controller.operating_state.link is LinkState.NO_DEVICE
     assert max(map(abs, rig.firmware.mechanics.speeds_deg_s)) < 1.0
+
+
+def test_the_end_of_a_run_leaves_though_the_device_is_closed_behind_it(rig, monkeypatch):
+    monkeypatch.setattr(worker, "_LAST_S", TIMEOUT_MS / 1e3)
+    rig.ready()
+    run = Run("run", [Waypoint(MoveMode.MOVE_J, (140.0, *FAR[1:]))], [2.0])
+    accepted(rig.controller.player.start(run))
+    rig.run(0.5)
+    rig.heard()
+    rig.hold_driver()
+    accepted(rig.controller.motion.set_speed_percent(50))
+    bus_thread = rig.controller._connection._worker
+    rig.controller.disconnect_device()
+    rig.free_driver()
+    assert bus_thread.released.wait(TIMEOUT_MS / 1e3)
+    assert (0x150, ABORT) in frames(rig)
 
 
 def test_at_rest_nothing_is_sent_at_the_end(any_rig):
