@@ -308,3 +308,22 @@ def test_a_gripper_that_stands_is_told_nothing(any_rig):
     assert rig.controller.halt_and_hold() is None
     rig.run(0.5)
     assert 0x159 not in {frame.arbitration_id for frame in rig.heard()}
+
+
+def test_a_gripper_whose_report_is_late_is_not_sent_back_to_where_it_was(rig):
+    rig.ready()
+    gripper = rig.firmware.gripper
+    accepted(rig.controller.gripper.move(60.0, 1.0))
+    rig.run_until(lambda: gripper.travel > 20.0, seconds=10.0)
+    rig.node.link.mute_on.add(0x2A8)
+    rig.run(0.2)
+    at_halt = gripper.travel
+    assert rig.controller.halt_and_hold() is None
+    rig.run(0.1)
+    assert gripper.travel > at_halt
+    rig.node.link.mute_on.clear()
+    rig.run(0.04)
+    heard_at = gripper.travel
+    rig.run(2.0)
+    assert gripper.travel == pytest.approx(heard_at, abs=3.0)
+    assert gripper.travel > at_halt

@@ -204,6 +204,7 @@ class GripperControl(RequestingPart[str]):
         self._table = table
         self._travel: _Travel | None = None
         self._gripped: _Travel | None = None
+        self._to_hold: _Travel | None = None
         self._commanded_s = 0.0
         self.by_angle = False
 
@@ -451,6 +452,9 @@ class GripperControl(RequestingPart[str]):
             self._drop_request()
         if self._travel is not None:
             self._follow(self._travel)
+        to_hold, self._to_hold = self._to_hold, None
+        if to_hold is not None:
+            self._hold_here(to_hold)
         super().follow_arm()
 
     def _follow(self, travel: _Travel) -> None:
@@ -497,18 +501,27 @@ class GripperControl(RequestingPart[str]):
 
         It keeps hold of whatever it grips by then.
         """
-        travel, context = self._travel, self._context
+        travel = self._travel
         self._drop_request()
-        heard = context.connection.newest.gripper
-        if travel is None or heard is None or not heard.fresh(context.clock()):
+        if travel is not None:
+            self._hold_here(travel)
+
+    def _hold_here(self, travel: _Travel) -> None:
+        """Send it to its present place; its next report tells that where the last one is old."""
+        context = self._context
+        heard, now_s = context.connection.newest.gripper, context.clock()
+        if heard is None or not heard.fresh(now_s) or context.authority.other.why_not() is not None:
             return
-        if context.authority.other.why_not() is None:
-            by_angle = heard.value.opening_mm is None
-            here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
-            context.connection.send(here, passed=context.gate().ask_no_way())
+        if now_s - heard.at_s > LATE_S:
+            self._to_hold = travel
+            return
+        by_angle = heard.value.opening_mm is None
+        here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
+        context.connection.send(here, passed=context.gate().ask_no_way())
 
     def _drop_request(self) -> None:
         super()._drop_request()
         travel, self._travel, self._gripped = self._travel, None, None
         if travel is not None and travel.started is not None:
             travel.started.close(Ending.CUT_OFF)
+        self._to_hold = None
