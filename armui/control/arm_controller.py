@@ -351,11 +351,18 @@ class ArmController(ControllerParts):
             self.all_motion_ended.emit()
 
     def end_motion_of(self, records: Container[Started]) -> None:
-        """End the motion, with power on, and drop what waits, that carry out these operations."""
+        """End the motion, with power on, and drop what waits, that carry out these operations.
+
+        A gripper that is on its way by one of them ends where it is.
+        """
+        ends_gripper = self.gripper.carries_out(records)
         for run in (self.player, self.replayer):
             if run.carries_out(records):
+                ends_gripper = True
                 refusal = self.operating_state.cannot_run
                 run.stop() if refusal is None else run.end_run(refusal)
+        if ends_gripper:
+            self.gripper.end_travel()
         self.gate.drop_of(records)
         command = self._authority.command
         if command is not None and command.started in records and self._authority.may_be_ours:

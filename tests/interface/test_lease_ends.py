@@ -61,6 +61,21 @@ def test_its_end_halts_the_motion_with_power_on(leased, desk, end):
     assert all(desk.rig.controller.operating_state.enabled)
 
 
+@pytest.mark.parametrize("end", [release, go, take_back])
+def test_its_end_halts_the_gripper_where_it_is(leased, desk, end):
+    leased.ask("gripper.move", lease=leased.lease, travel=60.0, effort=1.0)
+    desk.rig.run(0.3)
+    gripper = desk.rig.firmware.gripper
+    end(leased, desk)
+    desk.rig.run(0.3)
+    assert desk.view.lease is None
+    at_end = gripper.travel
+    desk.rig.run(1.0)
+    assert gripper.travel == pytest.approx(at_end, abs=1.0)
+    assert at_end < 50.0
+    assert gripper.enabled
+
+
 def emergency_stop(rig):
     rig.controller.emergency_stop()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -496,6 +496,11 @@ class GripperControl(RequestingPart[str]):
         if travel.started is not None:
             travel.started.close(Ending.FAILED)
 
+    def carries_out(self, records: Container[Started]) -> bool:
+        """Return whether the motion under way carries out one of these operations."""
+        travel = self._travel
+        return travel is not None and travel.started is not None and travel.started in records
+
     def end_travel(self) -> None:
         """End a motion of the gripper that is under way, by sending it to its present place.
 
@@ -522,6 +527,6 @@ class GripperControl(RequestingPart[str]):
     def _drop_request(self) -> None:
         super()._drop_request()
         travel, self._travel, self._gripped = self._travel, None, None
+        self._to_hold = None
         if travel is not None and travel.started is not None:
             travel.started.close(Ending.CUT_OFF)
-        self._to_hold = None
