@@ -12372,6 +12372,10 @@ The other program must have ended.</source>
         <translation>原因是急停。</translation>
     </message>
     <message>
+        <source>The arm reports no pose now. Wait until all six values are shown, none muted.</source>
+        <translation>现在收不到机械臂的末端位姿。请等六个数值全部显示且不变灰。</translation>
+    </message>
+    <message>
         <source>The program was held up for {value} ms, which ended the stream. The next target begins another.</source>
         <translation>程序停顿了 {value} 毫秒，目标流因此结束。发送下一个目标即开始新的目标流。</translation>
     </message>
@@ -12774,10 +12778,6 @@ The other program must have ended.</source>
     <message>
         <source>The 3D view stopped responding.</source>
         <translation>3D 视图没有响应。</translation>
-    </message>
-    <message>
-        <source>The arm has not reported its pose yet. Wait until all six values are shown.</source>
-        <translation>机械臂尚未上报末端位姿。请等六个数值全部显示。</translation>
     </message>
     <message>
         <source>“{name}” has no points. Add points, or choose another trajectory.</source>

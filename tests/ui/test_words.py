@@ -112,7 +112,7 @@ def test_every_notice_reads_as_words(translator: Translator, language: Language)
 
 
 def test_a_pose_that_is_not_known_is_no_matter_of_arcs(qapp: QApplication) -> None:
-    said = "The arm has not reported its pose yet. Wait until all six values are shown."
+    said = "The arm reports no pose now. Wait until all six values are shown, none muted."
     assert words.refusal(POSE_UNKNOWN()) == said
 
 

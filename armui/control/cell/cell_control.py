@@ -432,12 +432,15 @@ class CellControl(ControllerPart):
         """
         context = self._context
         now = context.operating_state()
-        unknown = why_unreachable(now.link) or self._cartesian.why_unknown()
+        if (unreachable := why_unreachable(now.link)) is not None:
+            return unreachable
+        state, now_s = context.state(), context.clock()
+        heard = (*state.pose, *state.joints_deg)
+        if any(each is not None and not each.fresh(now_s) for each in heard):
+            return CAPTURE_STALE()
+        unknown = self._cartesian.why_unknown()
         if unknown is not None:
             return unknown
-        state, now_s = context.state(), context.clock()
-        if any(each is None or not each.fresh(now_s) for each in (*state.pose, *state.joints_deg)):
-            return CAPTURE_STALE()
         return None if context.authority.at_rest else CAPTURE_MOVING()
 
     def capture(self) -> tuple[float, ...] | Refusal:

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from armui.ways.way import Way
 
 POSE_UNKNOWN = Reason(
-    "pose_unknown", "The arm has not reported its pose yet. Wait until all six values are shown."
+    "pose_unknown", "The arm reports no pose now. Wait until all six values are shown, none muted."
 )
 ARC_NOT_AT_START = Reason(
     "arc_not_at_start",
