@@ -1,14 +1,16 @@
 """A button that wants to be held: what fills its line, and what begins anew."""
 
+from time import monotonic
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QToolTip, QVBoxLayout, QWidget
 
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog, confirm
+from armui.ui.widgets import hold_button
 from armui.ui.widgets.hold_button import HOLD_MS, HoldButton
 
 LEFT = Qt.MouseButton.LeftButton
@@ -49,6 +51,22 @@ def test_held_to_the_end_it_acts_once(button):
     QTest.mouseRelease(button, LEFT)
     assert button.count == 1
     assert button.share == 0
+
+
+def test_a_release_that_waits_behind_the_time_is_heard_first(button, monkeypatch):
+    """As after the window's thread was held up: the time is over before the mouse is asked."""
+    QTest.mousePress(button, LEFT)
+    late_s = monotonic() + 0.5
+    monkeypatch.setattr(hold_button, "monotonic", lambda: late_s)
+    here = QPointF(button.rect().center())
+    let_go = QMouseEvent(
+        *(QEvent.Type.MouseButtonRelease, here, button.mapToGlobal(here)),
+        *(LEFT, Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier),
+    )
+    QCoreApplication.postEvent(button, let_go)
+    wait(button)
+    QApplication.processEvents()
+    assert button.count == 0
 
 
 def test_time_passes_by_itself(button, qtbot):

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from time import monotonic
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QVariantAnimation, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, QTimer, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainterPath, QPaintEvent
 from PySide6.QtWidgets import QPushButton, QToolTip
 
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.link.arm_mark import ArmMark
 
+_HELD_UP_S: Final = 0.25
+"""After a longer pause of the window what mouse and keys did meanwhile is heard before it acts."""
 HOLD_MS: Final = 1000
 """The time of holding: long enough to be intended, short enough to wait for."""
 
@@ -52,12 +55,13 @@ class HoldButton(Translated, QPushButton):
         self._pressed_for: ArmMark | None = None
         self.setAutoDefault(False)
         self._use = ""
-        self._was_held = False
+        self._was_held = self._was_held_up = False
+        self._ticked_s = 0.0
         self.progress = QVariantAnimation(self)
         self.progress.setStartValue(0.0)
         self.progress.setEndValue(1.0)
         self.progress.setDuration(HOLD_MS)
-        self.progress.valueChanged.connect(self.update)
+        self.progress.valueChanged.connect(self._on_tick)
         self.progress.finished.connect(self._on_finished)
         self.pressed.connect(self._on_pressed)
         self.released.connect(self._begin_anew)
@@ -101,9 +105,23 @@ class HoldButton(Translated, QPushButton):
     def _on_pressed(self) -> None:
         self._pressed_for = self._controller.mark
         self._was_held = False
+        self._ticked_s = monotonic()
         self.progress.start()
 
+    def _on_tick(self) -> None:
+        last_s, self._ticked_s = self._ticked_s, monotonic()
+        self._was_held_up = self._ticked_s - last_s > _HELD_UP_S
+        self.update()
+
     def _on_finished(self) -> None:
+        if self._was_held_up:  # a release that waits is heard first
+            QTimer.singleShot(0, self, self._act)
+        else:
+            self._act()
+
+    def _act(self) -> None:
+        if self.progress.state() is QVariantAnimation.State.Running:
+            return  # it was let go, and pressed again
         self._was_held = True
         # the button may have been released, disabled or hidden in the last moment
         if self.isDown() and self.isEnabled() and self.isVisible():
