@@ -17,7 +17,10 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ["LC_ALL"] = "en_US.UTF-8"
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from armui.protocol.generation import Generation
 from tests.app_driver import AppDriver, Slow
@@ -31,6 +34,7 @@ _ENDING_S = 2.0
 _MUCH_MADE = 20_000
 _YOUNG_SEARCHES = 10
 _SEARCHES = count(1)
+_BUTTONS = (Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.MiddleButton)
 
 load_profile()
 
@@ -178,7 +182,13 @@ def pytest_collection_finish():
 
 
 def pytest_runtest_setup():
-    """Delete what the test before had closed: windows, and their timers, end with their test."""
+    """Delete what the test before had closed: windows, and their timers, end with their test.
+
+    So do its presses: beside another button that is down nothing that is held begins.
+    """
+    for button in _BUTTONS:
+        if QGuiApplication.mouseButtons() & button:
+            QTest.mouseRelease(QWidget(), button)
     if gc.get_count()[0] > _MUCH_MADE:
         gc.collect(2 if next(_SEARCHES) % _YOUNG_SEARCHES == 0 else 1)
     if QCoreApplication.instance() is not None:

@@ -23,8 +23,8 @@ JOINTS_OUTSIDE = Reason(
 )
 JOINT_OUT_OF_LIMITS = Reason(
     "joint_out_of_limits",
-    "Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Choose a "
-    "target within them.",
+    "Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle "
+    "within them.",
 )
 
 

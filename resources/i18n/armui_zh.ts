@@ -12204,6 +12204,10 @@ The other program must have ended.</source>
         <translation>{figure}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
+        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
+        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
+    </message>
+    <message>
         <source>The process of the simulated arm has ended. One that was connected is started anew by itself, as after a power cut; otherwise connect again.</source>
         <translation>仿真机械臂的进程已结束。已连接的会自动重新启动，如同断电后上电；否则请重新连接。</translation>
     </message>
@@ -12346,10 +12350,6 @@ The other program must have ended.</source>
     <message>
         <source>Outside the limits: {joints}. Until all are inside the arm takes no target but a run. Hold Move inside in the line above the panels.</source>
         <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂只接受轨迹运行，不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
-    </message>
-    <message>
-        <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Choose a target within them.</source>
-        <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请选择限位内的目标。</translation>
     </message>
     <message>
         <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>

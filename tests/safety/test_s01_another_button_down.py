@@ -30,7 +30,7 @@ def beside_it(app_driver):
     app_driver.window.activateWindow()
     QApplication.processEvents()
     yield app_driver
-    QTest.mouseRelease(app_driver.window, RIGHT)
+    QTest.mouseRelease(app_driver.window.windowHandle(), RIGHT)
 
 
 def pressed_and_let_go(driver, name):
