@@ -443,6 +443,7 @@ class GripperControl(RequestingPart[str]):
         if heard is not None:
             self._commanded_s = now_s = self._context.clock()
             self._travel = _Travel(target, heard.travel, now_s, now_s, heard.unit, effort)
+            self._to_hold = None
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -506,7 +507,7 @@ class GripperControl(RequestingPart[str]):
 
         It keeps hold of whatever it grips by then.
         """
-        travel = self._travel
+        travel = self._travel or self._to_hold  # told again while its report is awaited
         self._drop_request()
         if travel is not None:
             self._hold_here(travel)
