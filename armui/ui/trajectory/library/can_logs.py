@@ -22,12 +22,12 @@ FILE_CAN_LOG = Reason(
 
 
 def find_or_import_but_logs(folder: Path, path: Path, new_in: str = "") -> Imported:
-    """Do the same as `find_or_import`, and tell a CAN log."""
+    """Find a file's content in the library, or import it; a CAN log is refused as one."""
     return _told(find_or_import(folder, path, new_in))
 
 
 def import_all_but_logs(folder: Path, paths: Sequence[Path], new_in: str = "") -> list[Imported]:
-    """Do the same as `import_files`, and tell CAN logs."""
+    """Import files into the library; CAN logs among them are refused as such."""
     return [_told(each) for each in import_files(folder, paths, new_in)]
 
 
