@@ -273,6 +273,7 @@ def test_it_ends_its_run_and_keeps_the_lease(leased, desk, library, monkeypatch)
         leased.ask("lamps.set", lease=leased.lease, joint=joint_number, **color)
     leased.ask("trajectory.stop", lease=leased.lease)
     leased.wait(lambda: progress(desk).phase is RunPhase.STOPPED)
+    leased.wait(lambda: "result" in leased.told("operation")[-1])  # told a little later
     assert desk.view.lease is not None
     assert leased.told("operation")[-1]["result"]["id"] == "run_ended"
     assert all(desk.rig.controller.operating_state.enabled)
