@@ -4,12 +4,12 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
-from armui.trajectory.points.program import Trajectory, Waypoint
+from armui.trajectory.points.program import LightAction, Trajectory, Waypoint
 from armui.ui.trajectory.library.library_model import LibraryColumn
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
@@ -38,6 +38,17 @@ def test_middle_poses_give_way_to_the_figures_of_a_point(app_driver, language):
     app_driver.run(0.2)
     assert table.horizontalScrollBar().maximum() == 0
     assert table.columnWidth(PointColumn.MIDDLE) > narrow_px
+
+
+@pytest.mark.styled
+def test_a_change_of_language_cuts_no_cell(app_driver):
+    app_driver.store.change(language="en")
+    app_driver.window.resize(1920, 1000)
+    table = Editor(app_driver, replace(BEGIN, light=LightAction(1, 0, 255, 0))).table
+    app_driver.store.change(language="zh")
+    QApplication.processEvents()
+    column = PointColumn.LIGHT
+    assert table.columnWidth(column) >= table.sizeHintForColumn(column)
 
 
 @pytest.mark.styled

@@ -745,6 +745,7 @@ class EditorPage(Page):
         self._show_steps()
         self._show_count()
         self.model.retranslate()
+        self.table.make_room()
         self._note.setPlaceholderText(self.tr("What this trajectory is for"))
         self.table.setAccessibleName(self.tr("Points"))
         self._show_title()
