@@ -131,7 +131,8 @@ TESTS: dict[str, Judges] = {
         ("tests/safety/test_s13*", "tests/safety/test_s25*"),
     ),
     "armui/control/motion/motion_command.py": Judges(
-        ("tests/control/test_authority*",), ("tests/safety/test_s0[789]*",)
+        ("tests/control/test_authority*", "tests/control/test_motion_command.py"),
+        ("tests/safety/test_s0[789]*",),
     ),
     "armui/arm/other_hosts.py": Judges(
         ("tests/arm/test_other_hosts.py",), ("tests/safety/test_s13*",)
