@@ -469,8 +469,10 @@ class TargetDrag(QObject):
 
     def _on_noticed(self, event: Event) -> None:
         """Leave a refusal to the message beside the button that was pressed."""
-        if event.notice == REFUSED and event.params.get("reason") == self._told:
-            self._say(None)
+        if event.notice == REFUSED:
+            self.look()  # the press may have come right after the last digit
+            if event.params.get("reason") == self._told:
+                self._say(None)
 
     def set_kind(self, kind: HandleKind | None) -> None:
         """Show handles of another kind, or none with None."""
