@@ -157,6 +157,11 @@ class Condition:
         """True if a fault keeps a joint from moving."""
         return self.alarms.any or any(self.communication_fault)
 
+    @property
+    def may_move(self) -> bool:
+        """True if neither a fault nor a stop is in the way of a motion."""
+        return not (self.stopped or self.hindered or self.needs_reset)
+
     def clear_errors(self) -> None:
         """Clears errors as a resume does; an error whose cause is still present stays."""
         self.stopped = False

@@ -105,11 +105,12 @@ class Feedback:
         self._most_speed = _MOST_STEPS * codec.step("DriverFast1", "Speed")
         self._position_unit_deg = _DEGREES_PER[codec.unit("DriverFast1", "Position")]
         self._first_generation = codec.generation is Generation.ONE
+        frame = self._cache.frame
         self._makers: dict[str, Callable[[], Frame]] = {
             "ArmStatus": self._arm_status,
-            "EndPose1": self._end_pose_1,
-            "EndPose2": self._end_pose_2,
-            "EndPose3": self._end_pose_3,
+            "EndPose1": lambda: frame("EndPose1", X=self._pose.x_mm, Y=self._pose.y_mm),
+            "EndPose2": lambda: frame("EndPose2", Z=self._pose.z_mm, RX=self._pose.rx_deg),
+            "EndPose3": lambda: frame("EndPose3", RY=self._pose.ry_deg, RZ=self._pose.rz_deg),
             "GripperFeedback": self._gripper,
         }
         for joint in (1, 3, 5):
@@ -149,15 +150,6 @@ class Feedback:
             SpeedPercent=condition.speed_percent,
             **flags,
         )
-
-    def _end_pose_1(self) -> Frame:
-        return self._cache.frame("EndPose1", X=self._pose.x_mm, Y=self._pose.y_mm)
-
-    def _end_pose_2(self) -> Frame:
-        return self._cache.frame("EndPose2", Z=self._pose.z_mm, RX=self._pose.rx_deg)
-
-    def _end_pose_3(self) -> Frame:
-        return self._cache.frame("EndPose3", RY=self._pose.ry_deg, RZ=self._pose.rz_deg)
 
     def _joint_feedback(self, name: str, joint: int) -> Frame:
         positions = self._arm.reported_deg

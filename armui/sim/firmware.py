@@ -76,6 +76,7 @@ class Firmware:
         settings_applier: Applies the settings to the parts.
         bugs: Known bugs of firmware versions that it has.
         lost_reference: The fault by which a joint loses its reference.
+        silent: True if the bus silence of 0x422 is in force.
         feedback_stopped: True if the arm, by a fault, sends no periodic feedback.
         drivers_tell: True if 0x251–0x266 continue while it is a teaching input, as on some arms.
         ignored: The number of frames not understood, by kind.
@@ -121,7 +122,7 @@ class Firmware:
         self.ignored: Counter[InvalidFrameKind] = Counter()
         self.unsupported: Counter[str] = Counter()
         self.kinematics = Kinematics(self.type.geometry)
-        self._silent = False
+        self.silent = False
         self._off = False
         self._now_ns = 0
         self._schedule = FeedbackSchedule(generation)
@@ -217,11 +218,6 @@ class Firmware:
         return self._moves.ik_solution_deg if self.type.quirks.has_ik_solution else None
 
     @property
-    def silent(self) -> bool:
-        """True if the bus silence of 0x422 is in force."""
-        return self._silent
-
-    @property
     def leads(self) -> bool:
         """True if it is a teaching input: it sends commands and obeys none."""
         return self._linkage.leader is not None
@@ -292,7 +288,7 @@ class Firmware:
 
     @property
     def _quiet(self) -> bool:
-        return self._silent or self.bugs.silent
+        return self.silent or self.bugs.silent
 
     def set_communication_fault(self, joint: int, *, present: bool) -> None:
         """Breaks or restores the connection between the controller and a joint (1–6)."""
@@ -324,7 +320,7 @@ class Firmware:
         self._off = False
         self.settings_applier.restart()
         self.condition.start_anew()
-        self._silent = False
+        self.silent = False
         self._linkage.take_effect()
         self.bugs.switched_on()
 
@@ -446,5 +442,5 @@ class Firmware:
         return []
 
     def _bus_silence(self, signals: Signals) -> list[Frame]:
-        self._silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
+        self.silent = signals["Mode"] != SilenceMode.LEAVE_SILENCE
         return []

@@ -200,8 +200,10 @@ def run_arm(
         The exit code: 0 after Ctrl-C, 2 when the bus cannot be opened.
     """
     ending = ending or threading.Event()
+    asked = {"channel": channel or None, "bitrate": bitrate, "port": port}
+    options: dict[str, Any] = {name: each for name, each in asked.items() if each is not None}
     try:
-        bus = can.Bus(**_bus_options(interface, channel, bitrate, port))
+        bus = can.Bus(interface=interface, **options)
     except (can.CanError, OSError, ValueError, TypeError, ImportError) as error:
         # python-can says by this class, too, that a package is missing
         missing = isinstance(error, ImportError | can.CanInterfaceNotImplementedError)
@@ -290,19 +292,6 @@ def _offset(text: str) -> int:
         return words[f"0x{int(text, 0):02x}"]
     except (KeyError, ValueError):
         raise argparse.ArgumentTypeError(f"{text!r} is none of {', '.join(words)}") from None
-
-
-def _bus_options(
-    interface: str, channel: str, bitrate: int | None, port: int | None
-) -> dict[str, Any]:
-    options: dict[str, Any] = {"interface": interface}
-    if channel:
-        options["channel"] = channel
-    if bitrate is not None:
-        options["bitrate"] = bitrate
-    if port is not None:
-        options["port"] = port
-    return options
 
 
 def _report(node: Node, ending: threading.Event, bitrate: int) -> None:

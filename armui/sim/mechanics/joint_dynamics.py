@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Final
 
 import numpy as np
@@ -231,13 +231,11 @@ class _Interval:
     def saturated(self, over: Flags, torques_nm: Values) -> _Interval:
         """Return the interval with fixed torques of some drivers instead of their law."""
         law = self._law
-        fixed = DriverLaw(
-            law.positions_rad,
-            law.speeds_rad_s,
-            np.where(over, 0.0, law.kp),
-            np.where(over, 0.0, law.kd),
-            np.where(over, torques_nm, law.torques_nm),
-            law.driven,
+        fixed = replace(
+            law,
+            kp=np.where(over, 0.0, law.kp),
+            kd=np.where(over, 0.0, law.kd),
+            torques_nm=np.where(over, torques_nm, law.torques_nm),
         )
         return _Interval(self._mass, self._load, fixed, self._viscous, self.dt_s)
 

@@ -15,7 +15,7 @@ from typing import Final
 
 from armui.arm.limits import JOINTS, JointLimits
 from armui.protocol.codec import Codec
-from armui.protocol.codes import ControlMode, CpvAction, CpvKind, MoveMode
+from armui.protocol.codes import CpvAction, CpvKind, MoveMode
 from armui.protocol.firmware_version import FirmwareQuirks
 from armui.protocol.frame import Frame
 from armui.sim.condition import Condition
@@ -285,10 +285,5 @@ class CpvControl:
     @property
     def _may_move(self) -> bool:
         condition = self._condition
-        able = not (condition.stopped or condition.hindered or condition.needs_reset)
-        return (
-            able
-            and all(self._mechanics.powered)
-            and condition.control_mode is ControlMode.CAN_CONTROL
-            and condition.move_mode is MoveMode.MOVE_CPV
-        )
+        able = condition.may_move and all(self._mechanics.powered)
+        return able and condition.obeys(MoveMode.MOVE_CPV)

@@ -54,9 +54,7 @@ class MotionExecutor:
     @property
     def may_move(self) -> bool:
         """True if the arm is in a state to accept targets at all."""
-        condition = self._condition
-        able = not (condition.stopped or condition.hindered or condition.needs_reset)
-        return able and all(self._mechanics.powered)
+        return self._condition.may_move and all(self._mechanics.powered)
 
     def serves(self, order: Hashable) -> bool:
         """Return whether this order is in progress, or was done or refused just here."""

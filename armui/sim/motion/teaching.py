@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Callable
+from functools import partial
 from typing import Final
 
 from armui.arm.rest_pose import from_rest_deg
@@ -65,7 +66,7 @@ class SimulatedTeaching:
             TeachingState.PAUSE: self._pause,
             TeachingState.CONTINUE: self._continue,
             TeachingState.ABORT: self._abort,
-            TeachingState.MOVE_TO_START: self._move_to_start,
+            TeachingState.MOVE_TO_START: partial(self._go_to_start, goes_on=False),
         }
 
     def command(self, command: TeachingState) -> None:
@@ -145,9 +146,6 @@ class SimulatedTeaching:
             return False
         self._condition.activity = ArmStatusCode.TEACHING_RUNNING
         return True
-
-    def _move_to_start(self) -> bool:
-        return self._go_to_start(goes_on=False)
 
     def _go_to_start(self, *, goes_on: bool) -> bool:
         ready = self.entered and self._phase is _Phase.IDLE and all(self._mechanics.powered)

@@ -38,24 +38,12 @@ class LinkageSettings(NamedTuple):
     target_offset: int = 0
 
 
-def _factory_limits() -> list[JointLimits]:
-    return list(model_data().limits)
-
-
-def _factory_accelerations() -> list[float]:
-    return list(model_data().accelerations_deg_s2)
-
-
 def factory_settings(model: PiperModel) -> ArmSettingsRecord:
     """Return the limits and accelerations that a model leaves the factory with."""
     data = model_data(model)
     return ArmSettingsRecord(
         limits=list(data.limits), accelerations_deg_s2=list(data.accelerations_deg_s2)
     )
-
-
-def _no_zeros() -> list[float]:
-    return [0.0] * len(JOINTS)
 
 
 @dataclass(slots=True)
@@ -75,15 +63,17 @@ class ArmSettingsRecord:
         lights: The lamps, by joint; dark again after a power cycle.
     """
 
-    limits: list[JointLimits] = field(default_factory=_factory_limits)
-    accelerations_deg_s2: list[float] = field(default_factory=_factory_accelerations)
+    limits: list[JointLimits] = field(default_factory=lambda: list(model_data().limits))
+    accelerations_deg_s2: list[float] = field(
+        default_factory=lambda: list(model_data().accelerations_deg_s2)
+    )
     end_limits: tuple[float, ...] = (1.0, 1.0, 1.0, 1.0)
     collision_levels: tuple[int, ...] = (1,) * 6
     load: EndLoad = EndLoad.EMPTY
     teaching: HandleSettings = field(default_factory=HandleSettings)
     drag_assistance: tuple[int, ...] = (5,) * 6
     linkage: LinkageSettings = field(default_factory=LinkageSettings)
-    zeros_deg: list[float] = field(default_factory=_no_zeros)
+    zeros_deg: list[float] = field(default_factory=lambda: [0.0] * len(JOINTS))
     lights: dict[int, Light] = field(default_factory=dict)
 
     def take_over(self, other: ArmSettingsRecord) -> None:
