@@ -6,7 +6,7 @@ import argparse
 import sys
 import time
 from collections.abc import Callable
-from contextlib import closing
+from contextlib import ExitStack, closing
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -96,18 +96,14 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
             say('{name!r} is no name for a file; leave out / \\ : * ? " < > |', name=name)
         )
     ending: list[int] = []
-    with handled_by(lambda number, _frame: ending.append(number)):
+    with handled_by(lambda number, _frame: ending.append(number)), ExitStack() as stack:
         try:
-            context = opened(device)
-            bus = context.__enter__()
+            bus = stack.enter_context(opened(device))
         except Exception as error:  # noqa: BLE001 - drivers of others raise anything
             return _cannot_begin(
                 f"{_said(explain(device, error))}\n{say('`armui doctor` tells more.')}"
             )
-        try:
-            return _record(bus, device, options, ending, name=name, clock=clock)
-        finally:
-            context.__exit__(None, None, None)
+        return _record(bus, device, options, ending, name=name, clock=clock)
 
 
 def _record(

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -56,18 +57,8 @@ def look_at_can() -> CanFacts:
         )
     except Exception as caught:  # noqa: BLE001 - drivers of others: any may fail in any way
         error = str(caught) or type(caught).__name__
-    if not _is_linux():
-        return CanFacts(devices=devices, error=error)
-    return CanFacts(
-        links=look_at_links(),
-        usb=tuple(usb_adapters(_USB)),
-        ports=tuple(_serial_ports(_DEV)),
-        devices=devices,
-        error=error,
-        kept=tuple(kept_names(_ETC)),
-        shared=shared_controllers(_USB, _TTY),
-        wsl=is_wsl(_KERNEL),
-    )
+    kept = tuple(kept_names(_ETC))
+    return replace(look_at_adapters(), devices=devices, error=error, kept=kept)
 
 
 def _is_linux() -> bool:
