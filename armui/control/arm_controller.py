@@ -324,10 +324,10 @@ class ArmController(ControllerParts):
         attempt("Connection", lambda: self._hear(now_s))
         attempt("Stopping", lambda: self._follow_stop(now_s))
         attempt("AuthorityWatch", lambda: self._watch.follow_arm(now_s))
-        attempt("Assessor", self._assess)
+        attempt("Assessor", self._assessor.assess)
         self._parts.follow_arm()
         attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
-        attempt("Assessor", self._assess, step="2")  # again: parts have begun and ended
+        attempt("Assessor", self._assessor.assess, step="2")  # again: parts have begun and ended
         self._parts.follow_arm_last()
         attempt("MotionEnd", lambda: self._motion_end.retry_end(now_s))
         self._authority.failed = self._motion_end.stuck or not self._parts.in_order
@@ -337,9 +337,6 @@ class ArmController(ControllerParts):
     def _hear(self, now_s: float) -> None:
         self._state = self._connection.follow_arm(now_s)
         self._link_watch.follow_online(now_s)
-
-    def _assess(self) -> None:
-        self._assessor.assess()
 
     def on_failure(self) -> None:
         """End every motion of this program, because a part of the program has failed."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from armui.control.assessment import assess
@@ -16,10 +17,11 @@ if TYPE_CHECKING:
     from armui.control.safety.stopping import Stopping
 
 
+@dataclass(eq=False, repr=False)
 class Assessor:
     """Keeps the operating state, so that reading it costs nothing; :meth:`refresh` assesses anew.
 
-    Args:
+    Attributes:
         controller: Has the parts.
         connection: The way to the arm.
         stopping: Follows the stops.
@@ -29,34 +31,24 @@ class Assessor:
         announce: Called with another operating state.
     """
 
-    def __init__(
-        self,
-        controller: ControllerParts,
-        connection: Connection,
-        stopping: Stopping,
-        watch: AuthorityWatch,
-        clock: Callable[[], float],
-        *,
-        state: Callable[[], ArmState],
-        announce: Callable[[OperatingState], object],
-    ) -> None:
-        self._state, self._announce = state, announce
-        self._controller = controller
-        self._connection = connection
-        self._stopping = stopping
-        self._watch = watch
-        self._clock = clock
-        self._operating_state: OperatingState | None = None
+    controller: ControllerParts
+    connection: Connection
+    stopping: Stopping
+    watch: AuthorityWatch
+    clock: Callable[[], float]
+    state: Callable[[], ArmState]
+    announce: Callable[[OperatingState], object]
+    _operating_state: OperatingState | None = field(default=None, init=False)
 
     def read(self) -> OperatingState:
         """Return the operating state of the last assessment."""
         if self._operating_state is None:
-            return OperatingState(speed_percent=self._controller.motion.speed_percent)
+            return OperatingState(speed_percent=self.controller.motion.speed_percent)
         return self._operating_state
 
     def observe(self) -> None:
         """Give the authority all feedback received so far."""
-        self._watch.observe(self._clock())
+        self.watch.observe(self.clock())
 
     def refresh(self) -> OperatingState:
         """Observe the arm and the other hosts anew, and return the new operating state."""
@@ -65,17 +57,17 @@ class Assessor:
 
     def assess(self) -> OperatingState:
         """Return a new operating state, from the last observation and the state of the parts."""
-        now_s = self._clock()
-        authority, offsets = self._watch.authority, self._connection.offsets
+        now_s = self.clock()
+        authority, offsets = self.watch.authority, self.connection.offsets
         known = self._known(now_s)
-        operating_state = assess(self._state(), known, authority, offsets, now_s)
+        operating_state = assess(self.state(), known, authority, offsets, now_s)
         if operating_state != self.read():
             self._operating_state = operating_state
-            self._announce(operating_state)
+            self.announce(operating_state)
         return self.read()
 
     def _pending(self) -> frozenset[str]:
-        controller = self._controller
+        controller = self.controller
         busy = {
             "clearing_error": controller.joint_errors.busy,
             "end_reports": controller.end_reports.busy,
@@ -87,11 +79,8 @@ class Assessor:
 
     def _known(self, now_s: float) -> OperatingState:
         """Return what the program knows beside the arm's feedback at monotonic time ``now_s``."""
-        controller, connection, emergency_stop = (
-            self._controller,
-            self._connection,
-            self._stopping.emergency_stop,
-        )
+        controller, connection = self.controller, self.connection
+        emergency_stop = self.stopping.emergency_stop
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING
         run = controller.replayer if controller.replayer.running else controller.player
@@ -99,20 +88,20 @@ class Assessor:
             link=connection.link,
             device=connection.device,
             link_problem=connection.problem,
-            stop=self._stopping.state(self._state(), now_s, resuming=resuming),
+            stop=self.stopping.state(self.state(), now_s, resuming=resuming),
             stop_unconfirmed=emergency_stop.unconfirmed(now_s),
             stop_lapsed=emergency_stop.lapsed,
             busy=busy,
             speed_percent=controller.speed_override.percent,
             generation=connection.generation,
             model_fit=controller.model_watch.fit(),
-            below_base_mm=controller.jog_floor.below_base_mm(self._state()),
-            below_lowest_mm=controller.jog_floor.below_lowest_mm(self._state()),
-            intrusion=controller.area_guard.intrusion(self._state()),
+            below_base_mm=controller.jog_floor.below_base_mm(self.state()),
+            below_lowest_mm=controller.jog_floor.below_lowest_mm(self.state()),
+            intrusion=controller.area_guard.intrusion(self.state()),
             keeps_area=controller.area_guard.area is not None,
             reference=controller.reference.status,
             uncommanded=controller.sinking.motion,
-            other_host=self._watch.report(),
+            other_host=self.watch.report(),
             running=run.running,
             run_phase=run.phase,
             jogging=controller.jogging.active,

@@ -106,6 +106,7 @@ class _Finder:
     def __init__(self, frames: LogFrames, codec: Codec, channel: Channel) -> None:
         self._frames = frames
         self._channel = channel
+        self._where: dict[str, object] = {"channel": channel}
         self._ids = {layout.name: (wire_id, layout) for wire_id, layout in codec.layouts.items()}
 
     def words(
@@ -205,7 +206,7 @@ class _Finder:
         times_s = np.sort(np.concatenate(rows))
         for place in np.flatnonzero(np.diff(times_s) > SILENT_S)[:MOST_MARKS].tolist():
             entry = {"code": "silent", "ended_s": float(times_s[place + 1])}
-            yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where())
+            yield SessionMark(float(times_s[place]), MarkKind.FAULT, entry | self._where)
 
     def _sent(
         self,
@@ -235,10 +236,7 @@ class _Finder:
     ) -> SessionMark:
         if behind is not None:
             entry["ended_s"] = float(times_s[behind]) if behind < times_s.size else None
-        return SessionMark(float(times_s[first]), kind, entry | self._where())
-
-    def _where(self) -> dict[str, object]:
-        return {"channel": self._channel}
+        return SessionMark(float(times_s[first]), kind, entry | self._where)
 
 
 def _runs(values: NDArray[Any]) -> Iterator[tuple[int, int, int]]:

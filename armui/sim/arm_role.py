@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
@@ -79,77 +80,64 @@ class LinkedInput:
         ]
 
 
+@dataclass(eq=False, repr=False)
 class ArmRole:
     """Makes an arm a teaching input or a motion output.
 
     Attributes:
+        generation: The protocol it speaks.
+        mechanics: Its joints, which give way as a teaching input.
+        condition: Its modes.
+        settings: The values it keeps; the role is one.
+        hand: The hand that leads it.
+        flash: The storage of its settings.
+        drop_targets: Drops the arm's targets.
+        speak: Switches to the identifiers in the settings.
         leader: The frames of a teaching input; None while the arm is none.
     """
 
-    def __init__(
-        self,
-        generation: Generation,
-        mechanics: Mechanics,
-        condition: Condition,
-        settings: ArmSettingsRecord,
-        *,
-        hand: HandGuiding,
-        flash: Flash,
-        drop_targets: Callable[[], None],
-        speak: Callable[[], None],
-    ) -> None:
-        """Manages the role of one arm.
-
-        Args:
-            generation: The protocol it speaks.
-            mechanics: Its joints, which give way as a teaching input.
-            condition: Its modes.
-            settings: The values it keeps; the role is one.
-            hand: The hand that leads it.
-            flash: The storage of its settings.
-            drop_targets: Drops the arm's targets.
-            speak: Switches to the identifiers in the settings.
-        """
-        self._generation = generation
-        self._mechanics, self._condition = mechanics, condition
-        self._settings, self._flash = settings, flash
-        self._hand = hand
-        self._drop_targets = drop_targets
-        self._speak = speak
-        self._waits = False
-        self._is_quiet = False
-        self.leader: LinkedInput | None = None
+    generation: Generation
+    mechanics: Mechanics
+    condition: Condition
+    settings: ArmSettingsRecord
+    hand: HandGuiding
+    flash: Flash
+    drop_targets: Callable[[], None]
+    speak: Callable[[], None]
+    _waits: bool = field(default=False, init=False)
+    _is_quiet: bool = field(default=False, init=False)
+    leader: LinkedInput | None = field(default=None, init=False)
 
     def take_effect(self) -> None:
         """Applies the stored setting: the identifiers and the role."""
-        linkage = self._settings.linkage
+        linkage = self.settings.linkage
         self._waits = self._is_quiet = False
-        self._speak()
+        self.speak()
         if linkage.role is LinkageRole.TEACHING_INPUT:
-            self._drop_targets()
-            self.leader = LinkedInput(self._generation, linkage.target_offset)
-            self._condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
-            self._mechanics.give_way(self._hand)
+            self.drop_targets()
+            self.leader = LinkedInput(self.generation, linkage.target_offset)
+            self.condition.control_mode = ControlMode.LINKED_TEACHING_INPUT
+            self.mechanics.give_way(self.hand)
         elif self.leader is not None:
             self.leader = None
-            self._condition.control_mode = ControlMode.STANDBY
-            self._mechanics.hold()
+            self.condition.control_mode = ControlMode.STANDBY
+            self.mechanics.hold()
 
     def set(self, linkage: LinkageSettings) -> None:
         """Stores a setting.
 
         It takes effect at once in standby or as a teaching input, else as soon as in standby.
         """
-        self._settings.linkage = linkage
-        self._flash.save(self._settings)
+        self.settings.linkage = linkage
+        self.flash.save(self.settings)
         self._waits = True
-        standby = self._condition.control_mode is ControlMode.STANDBY
-        if self.leader is not None or (standby and not self._condition.stopped):
+        standby = self.condition.control_mode is ControlMode.STANDBY
+        if self.leader is not None or (standby and not self.condition.stopped):
             self.take_effect()
 
     def mode_entered(self) -> None:
         """Applies a waiting setting when the arm has entered standby."""
-        if self._waits and self._condition.control_mode is ControlMode.STANDBY:
+        if self._waits and self.condition.control_mode is ControlMode.STANDBY:
             self.take_effect()
 
     def zero(self, command: LeaderZero) -> None:
@@ -162,12 +150,12 @@ class ArmRole:
             return
         if command is LeaderZero.LEADER_AND_FOLLOWER:
             self._is_quiet = False
-            self._mechanics.give_way(self._hand)
+            self.mechanics.give_way(self.hand)
             return
         self._is_quiet = command is LeaderZero.LEADER_TO_ZERO
-        settings = self._settings
-        self._mechanics.hold()
-        self._mechanics.move_to(
+        settings = self.settings
+        self.mechanics.hold()
+        self.mechanics.move_to(
             STANDSTILL,
             [_TO_ZERO_SHARE * limits.max_speed_deg_s for limits in settings.limits],
             settings.accelerations_deg_s2,
@@ -177,4 +165,4 @@ class ArmRole:
         """Return the frames that a leader now sends to its follower."""
         if self.leader is None or self._is_quiet:
             return []
-        return self.leader.frames(self._mechanics.positions_deg, gripper)
+        return self.leader.frames(self.mechanics.positions_deg, gripper)

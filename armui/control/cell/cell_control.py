@@ -82,9 +82,7 @@ _OPENED_MM: Final = 5.0
 
 def why_not_change(now: OperatingState) -> Refusal | None:
     """Return why cells may not be changed: a motion was checked with the one in force."""
-    if now.occupied is not None:
-        return now.occupied
-    return CELL_WHILE_MOVING() if now.moving else None
+    return now.occupied or (CELL_WHILE_MOVING() if now.moving else None)
 
 
 class CellControl(ControllerPart):
@@ -438,10 +436,8 @@ class CellControl(ControllerPart):
         heard = (*state.pose, *state.joints_deg)
         if any(each is not None and not each.fresh(now_s) for each in heard):
             return CAPTURE_STALE()
-        unknown = self._cartesian.why_unknown()
-        if unknown is not None:
-            return unknown
-        return None if context.authority.at_rest else CAPTURE_MOVING()
+        moving = None if context.authority.at_rest else CAPTURE_MOVING()
+        return self._cartesian.why_unknown() or moving
 
     def capture(self) -> tuple[float, ...] | Refusal:
         """Return the measured pose of the flange, or why it cannot be taken."""

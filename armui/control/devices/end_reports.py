@@ -72,9 +72,7 @@ def why_no_load(now: OperatingState) -> Refusal | None:
 
 
 def _why_in_use(now: OperatingState) -> Refusal | None:
-    if now.occupied is not None:
-        return now.occupied
-    return LOAD_WHILE_MOVING() if now.moving else None
+    return now.occupied or (LOAD_WHILE_MOVING() if now.moving else None)
 
 
 class EndReports(AnsweredPart):

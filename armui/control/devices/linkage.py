@@ -69,9 +69,7 @@ def why_not_link(now: OperatingState) -> Refusal | None:
 
 def _why_in_use(now: OperatingState) -> Refusal | None:
     """Tell what the arm does that a change of its identifiers would cut off."""
-    if now.occupied is not None:
-        return now.occupied
-    return LINKAGE_WHILE_MOVING() if now.moving else None
+    return now.occupied or (LINKAGE_WHILE_MOVING() if now.moving else None)
 
 
 class LinkageControl(AnsweredPart, ControllerPart):

@@ -8,6 +8,7 @@ before a run.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from armui.arm.models import Rising, model_data
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from armui.control.context import Context
 
 
+@dataclass(eq=False, repr=False)
 class JogFloor:
     """Knows how low the arm reaches, and the operator's least height.
 
@@ -34,20 +36,13 @@ class JogFloor:
         lowest_mm: The least height for jogs and single motions, or ``None``; the gate asks it.
     """
 
-    def __init__(
-        self,
-        context: Context,
-        tool: Callable[[], ToolCapsule | None],
-        held: Callable[[], HeldShape | None],
-        rising: Callable[[], Rising],
-    ) -> None:
-        self._context = context
-        self._tool = tool
-        self._held = held
-        self._rising = rising
-        self.lowest_mm: int | None = None
-        self._measured: tuple[object, ...] = ()
-        self._height_mm = 0.0
+    _context: Context
+    _tool: Callable[[], ToolCapsule | None]
+    _held: Callable[[], HeldShape | None]
+    _rising: Callable[[], Rising]
+    lowest_mm: int | None = field(default=None, init=False)
+    _measured: tuple[object, ...] = field(default=(), init=False)
+    _height_mm: float = field(default=0.0, init=False)
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""

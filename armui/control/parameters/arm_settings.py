@@ -96,9 +96,7 @@ def why_no_settings(now: OperatingState) -> Refusal | None:
 
 def why_not_read(now: OperatingState) -> Refusal | None:
     """Return why parameters cannot be read, or ``None``."""
-    if now.unreachable is not None:
-        return now.unreachable
-    return GENERATION_UNKNOWN() if now.generation is None else None
+    return now.unreachable or (GENERATION_UNKNOWN() if now.generation is None else None)
 
 
 class ArmSettings(QObject, ControllerPart):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from contextlib import closing
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui import __version__
@@ -187,28 +188,21 @@ _LATER_S: Final = 1.0
 """Reading ends when a whole piece of the log is this much later than the wanted end."""
 
 
+@dataclass(eq=False, repr=False)
 class _Export:
     """One export under way."""
 
-    def __init__(
-        self,
-        request: ExportRequest,
-        source: ExportSource,
-        tell: Callable[[ExportProgress], object],
-        is_wanted: Callable[[], bool],
-        begun: Callable[[Path], object],
-    ) -> None:
-        self._request = request
-        self._source = source
-        self._tell = tell
-        self._is_wanted = is_wanted
-        self._begun = begun
+    request: ExportRequest
+    source: ExportSource
+    tell: Callable[[ExportProgress], object]
+    is_wanted: Callable[[], bool]
+    begun: Callable[[Path], object]
 
     def run(self) -> ExportReport:
-        request = self._request
+        request = self.request
         with _whole(request) as target:
-            self._begun(target.unfinished)
-            arm, batches = look_at(self._source.batches(), request.wishes, self._source.lines)
+            self.begun(target.unfinished)
+            arm, batches = look_at(self.source.batches(), request.wishes, self.source.lines)
             if arm is None:
                 raise ExportError(ExportProblem.NO_FRAMES)
             sink = self._sink(target, _facts(request, arm))
@@ -223,14 +217,14 @@ class _Export:
         return self._report(arm, sink, reader, history)
 
     def _sink(self, target: WholeFile | WholeFolder, facts: ExportFacts) -> Sink:
-        request = self._request
+        request = self.request
         try:
             if request.format is ExportFormat.LEROBOT:
                 from armui.session.exports.lerobot.episodes import (  # noqa: PLC0415 - pyarrow
                     LeRobotDataset,
                 )
 
-                marked = episodes_of(self._source.lines)
+                marked = episodes_of(self.source.lines)
                 return LeRobotDataset(target.unfinished, facts, request.episodes, marked)
             if isinstance(target, WholeFolder):
                 return CsvMessages(target.unfinished, facts)
@@ -252,7 +246,7 @@ class _Export:
         reader: ArmFrameReader,
         history: History,
     ) -> None:
-        request = self._request
+        request = self.request
         span = TimeSpan(arm.start_s + request.begin_s, arm.start_s + request.end_s)
         for frames in reader.pieces(self._watched(batches)):
             history.add_frames(frames)
@@ -264,17 +258,17 @@ class _Export:
 
     def _watched(self, batches: Iterator[FrameBatch]) -> Iterator[FrameBatch]:
         for batch in batches:
-            if not self._is_wanted():
+            if not self.is_wanted():
                 raise ExportCancelledError
             yield batch
-            self._tell(ExportProgress(self._source.done, self._source.frames))
+            self.tell(ExportProgress(self.source.done, self.source.frames))
 
     def _report(
         self, arm: ExportedArm, sink: Sink, reader: ArmFrameReader, history: History
     ) -> ExportReport:
         return ExportReport(
             items=sink.items,
-            frames=self._source.frames,
+            frames=self.source.frames,
             generation=int(arm.codec.generation),
             why_generation=arm.why_generation,
             firmware=arm.firmware,
@@ -288,9 +282,9 @@ class _Export:
             not_understood=history.not_understood + reader.of_other_kinds,
             questions=history.questions,
             without_stamp=getattr(sink, "without_stamp", 0),
-            damages=tuple(self._source.damages[:_MOST_DAMAGES_TOLD]),
-            damage_count=self._source.damage_count,
-            notes=(*self._source.notes, *getattr(sink, "notes", ())),
+            damages=tuple(self.source.damages[:_MOST_DAMAGES_TOLD]),
+            damage_count=self.source.damage_count,
+            notes=(*self.source.notes, *getattr(sink, "notes", ())),
         )
 
 

@@ -89,7 +89,7 @@ class ReadingProgress:
         """The share read, 0 to 1; ``None`` if not known."""
         return min(1.0, self.position / self.size) if self.size > 0 else None
 
-    def write_to(self, memory: bytearray | memoryview) -> None:
+    def write_to(self, memory: bytearray | memoryview | mmap.mmap) -> None:
         """Write it to shared memory for another process."""
         _PROGRESS.pack_into(memory, 0, self.position, self.size, self.frames)
 

@@ -163,7 +163,7 @@ def index_log(path: Path, folder: Path, most_frames: int = MOST_FRAMES) -> LogIn
         NotALogError: The file cannot be opened, or nothing in it is a frame.
         OSError: The columns cannot be written.
     """
-    with LogFile(path) as log, _Columns(folder) as columns, _told_progress(folder) as memory:
+    with LogFile(path) as log, _Columns(folder) as columns, map_progress(folder) as memory:
         cut = ""
         for number, batch in enumerate(log.batches()):
             columns.add(batch)
@@ -261,22 +261,6 @@ class _Columns:
             self._files[LONG_DATA].write(data[:LONG_BYTES].ljust(LONG_BYTES, b"\0"))
         self.frames += len(batch)
         self.channels = batch.channel_names
-
-
-class _told_progress:  # noqa: N801 - used as a function is
-    """The memory where the progress stands, shared with the process that shows it."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-
-    def __enter__(self) -> memoryview:
-        self._map = map_progress(self._folder)
-        self._memory = memoryview(self._map)
-        return self._memory
-
-    def __exit__(self, *_error: object) -> None:
-        self._memory.release()
-        self._map.close()
 
 
 def _is_disk_full(folder: Path, frames: int) -> bool:

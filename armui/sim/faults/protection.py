@@ -7,6 +7,7 @@ the collision levels: the higher the level, the more torque is attributed to oth
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Final
 
 from armui.arm.limits import JOINTS
@@ -28,24 +29,19 @@ COLLISION_STEP_NM: Final = (2.0, 2.0, 2.0, 0.6, 0.6, 0.6)
 """The unexplained torque that counts as a collision, for each level and joint."""
 
 
+@dataclass(eq=False, repr=False)
 class Protection:
-    """Raises alarms by temperature, supply and torque; a test can block or push a joint."""
+    """Raises alarms by temperature, supply and torque; a test can block or push a joint.
 
-    def __init__(
-        self,
-        mechanics: Mechanics,
-        drivers: Drivers,
-        condition: Condition,
-        settings: ArmSettingsRecord,
-        brake: Callable[[], None],
-    ) -> None:
-        """Watches one arm; `brake` is called when an alarm requires it."""
-        self._brake = brake
-        self._mechanics = mechanics
-        self._drivers = drivers
-        self._condition = condition
-        self._settings = settings
-        self._blocked = [False] * JOINT_COUNT
+    It watches one arm; `_brake` is called when an alarm requires it.
+    """
+
+    _mechanics: Mechanics
+    _drivers: Drivers
+    _condition: Condition
+    _settings: ArmSettingsRecord
+    _brake: Callable[[], None]
+    _blocked: list[bool] = field(default_factory=lambda: [False] * JOINT_COUNT, init=False)
 
     def set_alarm(self, index: int, alarm: Alarm, *, present: bool) -> None:
         """Sets whether the cause of an alarm of a joint (0–5) is present."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
@@ -45,72 +46,62 @@ lag a triangle of 1.2 rad/s by 0.089 rad, as a user measured.
 """
 
 
+@dataclass(eq=False, repr=False)
 class MotionCommandHandler:
-    """Obeys the commands of 0x150."""
+    """Obeys the commands of 0x150 to one arm.
 
-    def __init__(
-        self,
-        generation: Generation,
-        mechanics: Mechanics,
-        condition: Condition,
-        teaching: SimulatedTeaching,
-        *,
-        moves: Moves,
-        unsupported: Counter[str],
-        enter: Callable[[ControlMode], None],
-    ) -> None:
-        """Handles the commands to one arm.
+    Attributes:
+        generation: The protocol it speaks.
+        mechanics: Its joints and motors.
+        condition: Its modes, flags and faults.
+        teaching: Its drag teaching.
+        moves: Its motions.
+        unsupported: Counts what it was asked and cannot do.
+        enter: Enters a control mode.
+    """
 
-        Args:
-            generation: The protocol it speaks.
-            mechanics: Its joints and motors.
-            condition: Its modes, flags and faults.
-            teaching: Its drag teaching.
-            moves: Its motions.
-            unsupported: Counts what it was asked and cannot do.
-            enter: Enters a control mode.
-        """
-        self._generation = generation
-        self._mechanics, self._condition = mechanics, condition
-        self._teaching = teaching
-        self._unsupported = unsupported
-        self._moves = moves
-        self._enter = enter
+    generation: Generation
+    mechanics: Mechanics
+    condition: Condition
+    teaching: SimulatedTeaching
+    moves: Moves
+    unsupported: Counter[str]
+    enter: Callable[[ControlMode], None]
 
     def obey(self, signals: dict[str, float]) -> bool:
         """Obeys one command, and returns whether it requires an answer."""
         if signals["EmergencyStop"] == StopCommand.EMERGENCY_STOP:
             self.drop_work()
-            self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
-            self._condition.stopped = True
+            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.DAMPED)
+            self.condition.stopped = True
         elif signals["EmergencyStop"] == StopCommand.RESUME:
             self.drop_work()
-            self._mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
-            self._condition.clear_errors()
-            if self._teaching.reset():
-                self._enter(ControlMode.STANDBY)
-        elif not self._condition.stopped:
+            self.mechanics.power_off(_ALL_INDICES, UnpoweredJoints.FREE)
+            self.condition.clear_errors()
+            if self.teaching.reset():
+                self.enter(ControlMode.STANDBY)
+        elif not self.condition.stopped:
             self._teach(TeachingState(int(signals["TeachingCommand"])))
             return self._trajectory(TrajectoryCommand(int(signals["TrajectoryCommand"])))
         return False
 
     def drop_work(self) -> None:
         """Drops targets and replays; the caller stops the joints."""
-        self._moves.drop_targets()
-        self._teaching.interrupt()
+        self.moves.drop_targets()
+        self.teaching.interrupt()
 
     def _teach(self, command: TeachingState) -> None:
         if command is TeachingState.START_RECORDING:
-            self._moves.drop_targets()
-        self._teaching.command(command)
+            self.moves.drop_targets()
+        self.teaching.command(command)
 
     def _trajectory(self, command: TrajectoryCommand) -> bool:
-        if command is TrajectoryCommand.OFF or self._moves.command(command):
+        if command is TrajectoryCommand.OFF or self.moves.command(command):
             return False
         if command is not TrajectoryCommand.GET_CURRENT:
-            self._unsupported[command.name] += 1
+            self.unsupported[command.name] += 1
             return False
-        return self._generation is not Generation.ONE
+        return self.generation is not Generation.ONE
 
 
 class DirectControl:
