@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Collection, Iterator
+from dataclasses import dataclass
 from typing import Any
 
 from armui.arm.refusal import Refusal
@@ -20,6 +21,7 @@ class FieldProblem(enum.Enum):
     UNKNOWN = "is unknown"
 
 
+@dataclass(eq=False, repr=False)
 class FieldError(Exception):
     """A field that is missing or wrong.
 
@@ -31,20 +33,11 @@ class FieldError(Exception):
         refusal: The reason, if something other than the type is wrong.
     """
 
-    def __init__(
-        self,
-        problem: FieldProblem,
-        path: Path,
-        value: object = None,
-        expected: str = "",
-        refusal: Refusal | None = None,
-    ) -> None:
-        super().__init__(problem, path, value, expected, refusal)
-        self.problem = problem
-        self.path = path
-        self.value = value
-        self.expected = expected
-        self.refusal = refusal
+    problem: FieldProblem
+    path: Path
+    value: object = None
+    expected: str = ""
+    refusal: Refusal | None = None
 
     @property
     def name(self) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
@@ -159,45 +159,27 @@ def cycle_of(times_s: Sequence[float]) -> Cycle | None:
     return Cycle(1.0 / mean_s, deviation_s)
 
 
+@dataclass(eq=False, slots=True)
 class _Series:
     """Frames of one identifier and one sender."""
 
-    __slots__ = (
-        "arbitration_id",
-        "changed_s",
-        "count",
-        "data",
-        "difference",
-        "flags",
-        "invalid",
-        "invalid_count",
-        "invalid_length",
-        "invalid_s",
-        "last_s",
-        "max_gap_s",
-        "number",
-        "row",
-        "sender",
-        "times_s",
-        "word",
-    )
-
-    def __init__(self, number: int, frame: Frame, flags: int, sender: Sender, at_s: float) -> None:
-        self.number = number
-        self.arbitration_id, self.data = frame
-        self.word = _word(self.data)
-        self.flags = flags
-        self.sender = sender
-        self.count = 0
-        self.last_s = at_s
-        self.max_gap_s = -math.inf
-        self.times_s: deque[float] = deque(maxlen=BUS_CYCLES + 1)
-        self.difference = 0
-        self.changed_s = [-math.inf] * _BYTES
-        self.invalid: InvalidFrame | None = None
-        self.invalid_count = self.invalid_length = 0
-        self.invalid_s = -math.inf
-        self.row: FrameRow | None = None
+    number: int
+    arbitration_id: int
+    data: bytes
+    word: int
+    flags: int
+    sender: Sender
+    last_s: float
+    count: int = 0
+    max_gap_s: float = -math.inf
+    times_s: deque[float] = field(default_factory=lambda: deque(maxlen=BUS_CYCLES + 1))
+    difference: int = 0
+    changed_s: list[float] = field(default_factory=lambda: [-math.inf] * _BYTES)
+    invalid: InvalidFrame | None = None
+    invalid_count: int = 0
+    invalid_length: int = 0
+    invalid_s: float = -math.inf
+    row: FrameRow | None = None
 
     def change(self, data: bytes) -> int:
         """Add a payload, and return the bits of its first eight bytes that have changed."""
@@ -398,7 +380,7 @@ class BusStatistics(Listener):
         if series is None:
             if len(self._series) >= MOST_ROWS:
                 return None
-            series = _Series(len(self._series), frame, flags, sender, at_s)
+            series = _Series(len(self._series), *frame, _word(frame.data), flags, sender, at_s)
             self._series[key, sender] = series
             self.trace.name(series.number, frame.arbitration_id, flags, sender)
         if own:
