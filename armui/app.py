@@ -10,7 +10,7 @@ import pkgutil
 import sys
 import threading
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from datetime import datetime
 from functools import partial
@@ -31,7 +31,7 @@ from armui.control.link.instance_registry import InstanceRegistry
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.control.safety.kept_references import KeptReferences
-from armui.control.sessions.choices import SessionChoices, choices_of
+from armui.control.sessions.choices import choices_of
 from armui.ending import SystemEnd
 from armui.interface.interface import Interface, Shelf
 from armui.live.live_stream import LiveStream
@@ -267,7 +267,7 @@ class Program:
         )
         controller.cell.store = self._cell_keeper
         self._cell_keeper.load()
-        controller.session_choices = partial(_session_choices, store)
+        controller.session_choices = lambda: choices_of(store.settings)
         controller.reference_memory = KeptReferences(store)
         self._unsubscribe = store.subscribe(self._on_settings_changed)
         self._relay = _FailureRelay()
@@ -399,10 +399,6 @@ class Program:
 def _log_unnoted(noted: Future[TakenOver | None]) -> None:
     if not noted.cancelled() and (error := noted.exception()) is not None:
         _LOG.warning("The version was not noted: %s", error)
-
-
-def _session_choices(store: SettingsStore) -> SessionChoices:
-    return choices_of(store.settings)
 
 
 class _GoingFirst(QObject):
@@ -599,8 +595,9 @@ def chosen_device(options: StartOptions) -> Device | None:
     )
 
 
-@contextmanager
-def open_device(device: Device, arms: SimulatedArms | None = None) -> Iterator[can.BusABC]:
+def open_device(
+    device: Device, arms: SimulatedArms | None = None
+) -> AbstractContextManager[can.BusABC]:
     """Open a device.
 
     Args:
@@ -608,10 +605,7 @@ def open_device(device: Device, arms: SimulatedArms | None = None) -> Iterator[c
         arms: Connects to a simulated one; by default to today's, in the rest pose.
     """
     if device.simulated:
-        with (arms or SimulatedArms()).connected(device) as bus:
-            yield bus
-        return
+        return (arms or SimulatedArms()).connected(device)
     from armui.bus.adapters import open_bus  # noqa: PLC0415 - python-can, loaded with the first device
 
-    with open_bus(device) as bus:
-        yield bus
+    return open_bus(device)

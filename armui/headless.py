@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QSocketNotifier
 
@@ -29,11 +29,6 @@ from armui.system.helper_process import FileThread, HelperProcess
 from armui.system.thread_priority import raise_in_background
 from armui.ui.background import Background
 from armui.ui.shell.trajectory_pages import open_library
-
-if TYPE_CHECKING:
-    import can
-
-    from armui.arm.device import Device
 
 SOCKET_NAME: Final = "api.sock"
 _OF_A_BUS: Final = ("channel", "port", "bitrate", "offset", "fault", "bugs", "flash")
@@ -57,7 +52,7 @@ def run(options: argparse.Namespace) -> int:
         return 2
     app = QCoreApplication.instance() or QCoreApplication(sys.argv[:1])
     arms = SimulatedArms(options.firmware, options.joints)
-    controller = ArmController(partial(_open, arms), SIMULATED)
+    controller = ArmController(arms.connected, SIMULATED)
     workers, files = HelperProcess(), FileThread()
     folder = Path(options.trajectories) if options.trajectories else paths.trajectories()
     interface = Interface(
@@ -105,12 +100,6 @@ def run(options: argparse.Namespace) -> int:
     workers.shutdown()
     arms.end()
     return code
-
-
-@contextmanager
-def _open(arms: SimulatedArms, device: Device) -> Iterator[can.BusABC]:
-    with arms.connected(device) as bus:
-        yield bus
 
 
 @contextmanager

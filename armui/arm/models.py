@@ -235,7 +235,7 @@ def _model(fields: Fields) -> ModelData:
         torque=TorqueCoefficients(
             torque.numbers("k_nm_per_a", _SIX),
             torque.numbers("b", _SIX),
-            _maybe_six(torque, "c"),
+            torque.numbers("c", _SIX) if torque.given("c") else None,
         ),
         links=_links(fields),
         gripper=_gripper(fields.object("gripper")),
@@ -304,10 +304,6 @@ def _gripper(fields: Fields) -> GripperMounting:
 
 def _maybe_number(fields: Fields, name: str) -> float | None:
     return fields.number(name) if fields.given(name) else None
-
-
-def _maybe_six(fields: Fields, name: str) -> tuple[float, ...] | None:
-    return fields.numbers(name, _SIX) if fields.given(name) else None
 
 
 @dataclass(frozen=True, slots=True)

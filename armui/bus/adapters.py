@@ -241,13 +241,9 @@ def _device(interface: str, config: Mapping[str, Any]) -> Device:
         channel=channel if isinstance(channel, int) else str(channel),
         bitrate=DEFAULT_BITRATE if bitrate_is_ours(interface) else None,
         serial=serial,
-        options=_constructor_options(interface, rest),
+        # socketcan's answers name nothing its constructor wants beside the channel
+        options=() if interface == "socketcan" else tuple(sorted(rest.items())),
     )
-
-
-def _constructor_options(interface: str, rest: Mapping[str, Any]) -> tuple[tuple[str, Any], ...]:
-    # socketcan's answers name nothing its constructor wants beside the channel
-    return () if interface == "socketcan" else tuple(sorted(rest.items()))
 
 
 @contextmanager

@@ -82,8 +82,8 @@ class MotionEnd:
                 self._controller.gate.halt,
                 self._end_gamepad,
                 self._end_jog,
-                self._end_replay,
-                self._end_program,
+                lambda: self._end_run(self._controller.replayer),
+                lambda: self._end_run(self._controller.player),
                 *((self._end_single_motion, self._end_gripper) if single else ()),
                 self._drop_own_replay,
             )
@@ -171,12 +171,6 @@ class MotionEnd:
         if jogging.active:
             self._note()
             jogging.end_jog(self._reason())
-
-    def _end_replay(self) -> None:
-        self._end_run(self._controller.replayer)
-
-    def _end_program(self) -> None:
-        self._end_run(self._controller.player)
 
     def _end_run(self, run: Execution) -> None:
         if run.running:

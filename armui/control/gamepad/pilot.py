@@ -124,7 +124,7 @@ class GamepadPilot(QObject):
         clock: Callable[[], float],
     ) -> None:
         super().__init__()
-        self.attended: Callable[[], Refusal | None] = _nobody
+        self.attended: Callable[[], Refusal | None] = GAMEPAD_NOT_IN_FRONT
         self.make_reader: MakeReader = read_devices
         self._jogging, self._cartesian = jogging, cartesian
         self._stop, self._halt = stop, halt
@@ -374,10 +374,6 @@ class GamepadPilot(QObject):
         if view != self._view:
             self._view = view
             self.changed.emit(view)
-
-
-def _nobody() -> Refusal:
-    return GAMEPAD_NOT_IN_FRONT()
 
 
 def _concerns(settings: Settings) -> tuple[object, ...]:

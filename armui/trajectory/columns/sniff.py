@@ -74,7 +74,7 @@ def sniff(text: str, dialect: Dialect = _ALL_GUESSED) -> Sheet:
         first = 0
     style = style._replace(width=max(1, style.width))
     header = _header(lines[:first], style)
-    body = [_cells(line, style) for line in _spread(lines[first:])]
+    body = [_parted(line, style.delimiter) for line in _spread(lines[first:])]
     body = [cells for cells in body if len(cells) == style.width]
     figures = [
         [as_number(row[index], style.decimal) for row in body] for index in range(style.width)
@@ -144,7 +144,7 @@ def _judge(lines: Sequence[str], delimiter: str, decimal: str) -> _Style:
 def _first_row(lines: Sequence[str], style: _Style) -> int | None:
     """Return the index of the first line of figures, also of one with cells too many or too few."""
     for index, line in enumerate(lines):
-        cells = [] if is_comment(line) else _cells(line, style)
+        cells = [] if is_comment(line) else _parted(line, style.delimiter)
         numbers = sum(as_number(cell, style.decimal) is not None for cell in cells)
         if style.width >= 2 and 2 * numbers >= style.width:
             return index
@@ -156,14 +156,10 @@ def _header(lines: Sequence[str], style: _Style) -> tuple[str, ...]:
     for line in reversed(lines):
         if not line.strip():
             continue
-        cells = _cells(line.lstrip(" \t#%/"), style)
+        cells = _parted(line.lstrip(" \t#%/"), style.delimiter)
         titles = tuple(cell.strip() for cell in cells)
         return titles if len(titles) == style.width else ()
     return ()
-
-
-def _cells(line: str, style: _Style) -> list[str]:
-    return _parted(line, style.delimiter)
 
 
 def _parted(line: str, delimiter: str) -> list[str]:

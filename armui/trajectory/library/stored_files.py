@@ -160,9 +160,6 @@ class FileStore:
     def _key(self, path: Path) -> str:
         return path.relative_to(self._folder).as_posix()
 
-    def _folder_of(self, path: Path) -> str:
-        return self._key(path).rpartition("/")[0]
-
     def _all_files(self) -> list[tuple[Path, Stamp]]:
         """Return the files of every folder; a sub-folder that cannot be read hides no other."""
         self.folders, self.closed = (), ()
@@ -195,7 +192,7 @@ class FileStore:
                 name = self._index.last_name(key) or _name_of(path)
                 entry = IndexEntry(name, kind, 0, None, stamp.changed(), damage=error)
             self._index.put(key, stamp, entry)
-        folder = self._folder_of(path)
+        folder = key.rpartition("/")[0]
         if entry.folder != folder:
             entry = replace(entry, folder=folder)
         return StoredFile(path, stamp, entry)

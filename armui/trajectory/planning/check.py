@@ -406,7 +406,7 @@ def _findings(
         findings += _recorded(content, path, arm)
         slow = np.zeros(len(path.rows), dtype=bool)
     elif not len(path.times_s):
-        findings += _empty(content.points)
+        findings += [] if content.points else [EMPTY()]
         slow = np.empty(0, dtype=bool)
     else:
         slow = _by_row(path, [point.move in TOOL_MOVES for point in content.points])
@@ -602,11 +602,6 @@ def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Findi
         else one
         for one in findings
     ]
-
-
-def _empty(points: Sequence[Waypoint]) -> Iterator[Finding]:
-    if not points:
-        yield EMPTY()
 
 
 def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:

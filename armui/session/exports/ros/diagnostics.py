@@ -113,7 +113,8 @@ class DiagnosticStream:
         found = TimedMessages([], [], [])
         for place, (row, time_ns) in enumerate(zip(rows.tolist(), times_ns, strict=True)):
             parts = [each for each in self._parts if each in affected[row]]
-            parts = [each for each in parts if _is_there(heard[each.messages[0]], place)]
+            firsts = ((each, heard[each.messages[0]]) for each in parts)
+            parts = [each for each, first in firsts if first is not None and first.there[place]]
             if parts:
                 found.rows.append(row)
                 found.times_ns.append(time_ns)
@@ -127,7 +128,7 @@ class DiagnosticStream:
         samples = history.samples(message)
         if samples is None:
             return np.empty(0, np.int64)
-        mask = np.uint64(_code_mask(samples.layout))
+        mask = np.uint64(bit_mask(_codes(samples.layout)))
         if not mask:
             return np.empty(0, np.int64)
         codes = samples.words & mask
@@ -205,10 +206,6 @@ class DiagnosticStream:
         return self._codec.word(message, name, value) or f"{value:.10g}"
 
 
-def _is_there(heard: _Heard | None, place: int) -> bool:
-    return heard is not None and heard.there[place]
-
-
 def _heard(
     history: History, message: str, rows: NDArray[np.int64], times_s: NDArray[np.float64]
 ) -> _Heard | None:
@@ -218,11 +215,6 @@ def _heard(
     last, fresh = samples.fresh_at(rows, times_s)
     signals = {name: samples.column(name)[last].tolist() for name in samples.layout.signals}
     return _Heard((last >= 0).tolist(), fresh.tolist(), signals)
-
-
-def _code_mask(layout: MessageLayout) -> int:
-    """Return the bits of a message that are codes or flags."""
-    return bit_mask(_codes(layout))
 
 
 def _codes(layout: MessageLayout) -> list[SignalLayout]:
