@@ -65,26 +65,26 @@ class Notifier:
             self._update_told()
         heard, self.heard = self.heard, []
         sent = self._decoded(codec) if self.sent else ()
-        for listener in tuple(self._told):
-            try:
-                if heard:
-                    listener.on_heard(heard)
-                if sent:
-                    listener.on_sent(sent)
-                listener.on_look(now_s)
-            except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
-                self._give_up(listener)
+
+        def pass_on(listener: Listener) -> None:
+            if heard:
+                listener.on_heard(heard)
+            if sent:
+                listener.on_sent(sent)
+            listener.on_look(now_s)
+
+        self._tell(pass_on, self._told)
 
     def switch(self, before: Codec, codec: Codec, now_s: float) -> None:
         """Tell the listeners that another codec decodes the frames from now on."""
         self.flush(before, now_s)
         if self._opened is not None:
             self._opened = codec, self._opened[1]
-        self._tell(lambda listener: listener.on_codec(codec))
+        self._tell(lambda listener: listener.on_codec(codec), self._told)
 
     def error_frame(self) -> None:
         """Tell the listeners that the adapter has reported an error on the bus."""
-        self._tell(lambda listener: listener.on_error_frame())
+        self._tell(lambda listener: listener.on_error_frame(), self._told)
 
     def _update_told(self) -> None:
         """Begin to tell those who came, and tell those who left no more."""
@@ -95,16 +95,16 @@ class Notifier:
         if self._opened is None:
             return
         codec, bitrate = self._opened
-        for listener in came:
-            self._told.append(listener)
-            try:
-                listener.on_open(bitrate)
-                listener.on_codec(codec)
-            except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
-                self._give_up(listener)
 
-    def _tell(self, word: Callable[[Listener], None]) -> None:
-        for listener in tuple(self._told):
+        def begin(listener: Listener) -> None:
+            self._told.append(listener)
+            listener.on_open(bitrate)
+            listener.on_codec(codec)
+
+        self._tell(begin, came)
+
+    def _tell(self, word: Callable[[Listener], None], listeners: Sequence[Listener]) -> None:
+        for listener in tuple(listeners):
             try:
                 word(listener)
             except Exception:  # noqa: BLE001 - whatever it is: receiving goes on

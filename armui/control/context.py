@@ -40,6 +40,11 @@ REFUSED = Notice("refused", "Not sent. {reason}", Level.WARNING, EventKind.COMMA
 NOT_DONE = Notice("not_done", "Not done. {reason}", Level.WARNING, EventKind.COMMAND)
 
 
+def why_not_asked(now: OperatingState) -> Refusal | None:
+    """Return why the arm can be neither asked nor set: not there, or its protocol not known yet."""
+    return now.unreachable or (GENERATION_UNKNOWN() if now.generation is None else None)
+
+
 @dataclass(frozen=True, slots=True)
 class Context:
     """The objects and functions that the parts of the controller share.

@@ -163,14 +163,17 @@ _STATUS: Final = Record(
     ),
     common=True,
 )
+_GRIPPER_FIGURES: Final = (
+    _figure("gripper_opening", "mm", "Opening"),
+    _figure("gripper_torque", "N·m", "Torque"),
+    _figure("gripper_angle", "°", "Angle"),
+    _figure("gripper_speed", "rad/s", "Speed"),
+)
 _GRIPPER: Final = Record(
     "GripperFeedback",
     Source.ARM,
     (
-        _figure("gripper_opening", "mm", "Opening"),
-        _figure("gripper_torque", "N·m", "Torque"),
-        _figure("gripper_angle", "°", "Angle"),
-        _figure("gripper_speed", "rad/s", "Speed"),
+        *_GRIPPER_FIGURES,
         _code("gripper_faults", *GRIPPER_FAULTS),
         _code("gripper_enabled", "Enabled"),
     ),
@@ -232,13 +235,7 @@ def _commands(source: Source) -> Iterator[Record]:
     for place, axes in enumerate(_POSES, 1):
         message = f"CartesianTarget{place}"
         yield Record(message, source, _pose_fields(axes), full, None, True, motion)
-    gripper = (
-        _figure("gripper_opening", "mm", "Opening"),
-        _figure("gripper_torque", "N·m", "Torque"),
-        _figure("gripper_angle", "°", "Angle"),
-        _figure("gripper_speed", "rad/s", "Speed"),
-    )
-    yield Record("GripperCommand", source, gripper, space=Space.GRIPPER)
+    yield Record("GripperCommand", source, _GRIPPER_FIGURES, space=Space.GRIPPER)
     mode = (_figure("speed_percent", "%", "SpeedPercent"), _figure("move_mode", "", "MoveMode"))
     yield Record("ModeControl", source, mode, common=True, space=Space.MODE)
     if source is Source.OTHER:  # this program commands no motor by itself

@@ -6,7 +6,7 @@ from typing import Final
 
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import GENERATION_UNKNOWN
+from armui.control.context import why_not_asked
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation
@@ -59,11 +59,7 @@ _SILENT_S: Final = 0.3
 
 def why_not_switch(now: OperatingState) -> Refusal | None:
     """Return why the feedback of the end's motion may not be switched, or ``None``."""
-    if now.unreachable is not None:
-        return now.unreachable
-    if now.generation is None:
-        return GENERATION_UNKNOWN()
-    return now.why_pending("end_reports")
+    return why_not_asked(now) or now.why_pending("end_reports")
 
 
 def why_no_load(now: OperatingState) -> Refusal | None:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import GENERATION_UNKNOWN
+from armui.control.context import why_not_asked
 from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST
 from armui.control.operations.operation import operation
@@ -40,10 +40,8 @@ MOUNTING_SENT = Notice(
 
 def why_not_mount(now: OperatingState) -> Refusal | None:
     """Return why the arm may not be told its mounting, apart from its firmware and motion."""
-    if now.unreachable is not None:
-        return now.unreachable
-    if now.generation is None:
-        return GENERATION_UNKNOWN()
+    if (refusal := why_not_asked(now)) is not None:
+        return refusal
     if now.generation is Generation.ONE:
         return SETTING_NOT_KEPT(generation=1)
     if now.occupied is not None:

@@ -19,7 +19,7 @@ from armui.control.events import Notice
 from armui.control.operating_state import BUSY
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Started
-from armui.control.requests.pending import EndNotices, PendingTransaction
+from armui.control.requests.pending import AnsweredPart, EndNotices
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
 from armui.control.safety.interlocks import JOINTS_UNKNOWN, joint_list, why_no_command
 from armui.control.safety.standstill import why_not_still
@@ -93,7 +93,7 @@ def why_not_zero(now: OperatingState) -> Refusal | None:
     return teaching_phase.why_under_way(teaching_phase.phase_of(now.status))
 
 
-class Zeroing:
+class Zeroing(AnsweredPart):
     """Sets zeros, one transaction at a time.
 
     Args:
@@ -105,14 +105,8 @@ class Zeroing:
     def __init__(
         self, context: Context, transactions: TransactionQueue, before_zeroing: Callable[[], None]
     ) -> None:
-        self._context = context
+        super().__init__(context, transactions)
         self._before_zeroing = before_zeroing
-        self._pending = PendingTransaction(context, transactions)
-
-    @property
-    def busy(self) -> bool:
-        """True if a zero has been sent and its end is not known."""
-        return self._pending.busy
 
     def stands_as(self, before: ArmState, joint: int = ALL_JOINTS) -> bool:
         """Return whether a joint (1–6, 7 all) still stands where it stood at the question."""

@@ -13,7 +13,7 @@ from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
-from armui.control.context import GENERATION_UNKNOWN, Context, ControllerPart
+from armui.control.context import Context, ControllerPart, why_not_asked
 from armui.control.events import Notice
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, declare, operation
@@ -87,16 +87,7 @@ _UNREAD: Final = SettingCellState()
 
 def why_no_settings(now: OperatingState) -> Refusal | None:
     """Return why parameters may not be set, or ``None``."""
-    if now.unreachable is not None:
-        return now.unreachable
-    if now.generation is None:
-        return GENERATION_UNKNOWN()
-    return now.occupied or now.why_pending("settings")
-
-
-def why_not_read(now: OperatingState) -> Refusal | None:
-    """Return why parameters cannot be read, or ``None``."""
-    return now.unreachable or (GENERATION_UNKNOWN() if now.generation is None else None)
+    return why_not_asked(now) or now.occupied or now.why_pending("settings")
 
 
 class ArmSettings(QObject, ControllerPart):
@@ -171,7 +162,7 @@ class ArmSettings(QObject, ControllerPart):
 
     # What the operator wants ------------------------------------------------------------------
 
-    @declare("settings.read", "Read parameters", why_not_read)
+    @declare("settings.read", "Read parameters", why_not_asked)
     def read(self, batches: Iterable[Batch]) -> Refusal | None:
         """Ask the arm for batches; those being read or saved already are left alone.
 

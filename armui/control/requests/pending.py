@@ -173,18 +173,16 @@ class PendingTransaction:
     Args:
         context: The context that the controller's parts share.
         transactions: Carries out commands that are answered.
+
+    Attributes:
+        busy: True while a command was sent and its end is not known.
     """
 
     def __init__(self, context: Context, transactions: TransactionQueue) -> None:
         self._context = context
         self._transactions = transactions
         self._started: Started | None = None
-        self._busy = False
-
-    @property
-    def busy(self) -> bool:
-        """True while a command was sent and its end is not known."""
-        return self._busy
+        self.busy = False
 
     @property
     def started(self) -> Started | None:
@@ -202,7 +200,7 @@ class PendingTransaction:
             sent: What is told before its first frame.
             notices: What is told at its end.
         """
-        self._busy = True
+        self.busy = True
         self.cut_off()
         self._started = started
 
@@ -219,7 +217,7 @@ class PendingTransaction:
             self._started.close(Ending.CUT_OFF)
 
     def _finish(self, started: Started, notices: EndNotices, refusal: Refusal | None) -> None:
-        self._busy = False
+        self.busy = False
         if refusal is not None:
             _end(self._context, started, ending_of(refusal), notices.failed(refusal))
         elif notices.is_end():

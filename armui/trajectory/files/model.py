@@ -61,15 +61,20 @@ class UnwritableError(ValueError):
         self.refusal = refusal
 
 
+def first_fault(content: Content) -> tuple[int, Refusal] | None:
+    """Return the first row that cannot be kept, and why not; ``None`` if all can."""
+    if isinstance(content, Recording):
+        return check_recording(content)
+    return check_trajectory(content)
+
+
 def verify(content: Content) -> None:
     """Checks before writing that the content can be read again.
 
     Raises:
         UnwritableError: It could not be read again.
     """
-    found = (
-        check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
-    )
+    found = first_fault(content)
     if found is not None:
         raise UnwritableError(content.name, *found)
 
@@ -84,9 +89,7 @@ def verified(content: Content, lines: Sequence[int] = ()) -> Content:
     Raises:
         TrajectoryFileError: It is not valid.
     """
-    found = (
-        check_trajectory(content) if isinstance(content, Trajectory) else check_recording(content)
-    )
+    found = first_fault(content)
     if found is not None:
         row, reason = found
         raise TrajectoryFileError(reason, lines[row - 1] if 0 < row <= len(lines) else 0)

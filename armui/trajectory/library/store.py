@@ -23,6 +23,7 @@ from armui.system.files import error_text
 from armui.trajectory import files
 from armui.trajectory.files import Content, TrajectoryFileError, UnwritableError
 from armui.trajectory.files.errors import broken
+from armui.trajectory.files.model import first_fault
 from armui.trajectory.library.bin import Bin, Deleted
 from armui.trajectory.library.drafts import Drafts, is_draft
 from armui.trajectory.library.file_names import file_stem, folded, free_stem
@@ -53,8 +54,8 @@ from armui.trajectory.library.stored_files import (
     write_content,
 )
 from armui.trajectory.planning.estimate import estimate_s
-from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name, check_trajectory
-from armui.trajectory.samples.recording import Array, Recording, check_recording
+from armui.trajectory.points.program import LONGEST_NAME, Trajectory, check_name
+from armui.trajectory.samples.recording import Array
 
 LIBRARY_UNREADABLE = Reason(
     "library_unreadable",
@@ -707,7 +708,7 @@ class Library:
             LibraryError: It could not.
         """
         call = self._call if is_large(content) else call_directly
-        found = call(_first_fault, content)
+        found = call(first_fault, content)
         if found is not None:
             row, reason = found
             raise LibraryError(reason, row)
@@ -755,12 +756,6 @@ class Library:
             self._met[content.name] = self._file_store.note(path, entry)
         self._bases[content.name] = content.modified
         return displaced
-
-
-def _first_fault(content: Content) -> tuple[int, Refusal] | None:
-    if isinstance(content, Recording):
-        return check_recording(content)
-    return check_trajectory(content)
 
 
 def free_name(wanted: str, taken: Container[str]) -> str:
