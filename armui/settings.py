@@ -365,8 +365,7 @@ class SettingsStore:
                 self._news = entries
 
     def _not_saved(self, error: BaseException) -> Refusal:
-        params = {"path": str(self._path), "text": error_text(error)}
-        return SETTINGS_NOT_SAVED(**params)
+        return SETTINGS_NOT_SAVED(path=str(self._path), text=error_text(error))
 
 
 def _choose(name: str, value: object, settings: dict[str, Any]) -> None:
@@ -419,8 +418,7 @@ def _read(path: Path) -> tuple[dict[str, Any], tuple[Refusal, ...]]:
     try:
         return _entries(path) or {}, ()
     except OSError as error:
-        params = {"path": str(path), "text": error_text(error)}
-        return {}, (SETTINGS_UNREADABLE(**params),)
+        return {}, (SETTINGS_UNREADABLE(path=str(path), text=error_text(error)),)
     except (ValueError, RecursionError):
         return {}, (_put_aside(path, SETTINGS_BROKEN),)
 
@@ -438,8 +436,7 @@ def _from_entries(
         if check(each.name, value) is None:
             good[each.name] = tuple(value) if isinstance(value, list) else value
         else:
-            params = {"field": each.name, "value": shown(value)}
-            problems.append(SETTING_BAD(**params))
+            problems.append(SETTING_BAD(field=each.name, value=shown(value)))
     return Settings(**good), tuple(problems)
 
 
@@ -449,6 +446,5 @@ def _put_aside(path: Path, told: Reason) -> Refusal:
     try:
         path.replace(kept)
     except OSError as error:
-        params = {"path": str(path), "text": error_text(error)}
-        return SETTINGS_UNREADABLE(**params)
+        return SETTINGS_UNREADABLE(path=str(path), text=error_text(error))
     return told(kept=str(kept))

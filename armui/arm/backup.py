@@ -146,8 +146,7 @@ def from_text(text: str) -> Backup | Refusal:
     except FieldError as error:
         if error.problem is FieldProblem.MISSING:
             return BACKUP_FIELD_MISSING(field=error.place)
-        bad = {"field": error.place, "value": _shortened(error.value)}
-        return error.refusal or BACKUP_FIELD_BAD(**bad)
+        return error.refusal or BACKUP_FIELD_BAD(field=error.place, value=_shortened(error.value))
 
 
 def _backup(entries: Fields) -> Backup:
@@ -178,8 +177,8 @@ def _values(entries: Fields, rows: Sequence[Fields]) -> Mapping[Parameter, float
     for place, row in enumerate(rows, start=1):
         parameter = _parameter(row)
         if parameter in values:
-            where = {"field": f"parameters[{place}]", "parameter": parameter.name}
-            raise row.wrong("name", BACKUP_TWICE(**where))
+            field = f"parameters[{place}]"
+            raise row.wrong("name", BACKUP_TWICE(field=field, parameter=parameter.name))
         values[parameter] = _value(row, parameter)
     return values
 

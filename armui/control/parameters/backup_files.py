@@ -39,8 +39,7 @@ def read_backup(path: Path) -> Backup | Refusal:
     except OSError as error:
         if error.errno == errno.EFBIG:
             return BACKUP_FOREIGN()
-        figures = {"path": str(path), "text": error_text(error)}
-        return BACKUP_UNREADABLE(**figures)
+        return BACKUP_UNREADABLE(path=str(path), text=error_text(error))
 
 
 def write_backup(path: Path, backup: Backup) -> Refusal | None:
@@ -48,8 +47,7 @@ def write_backup(path: Path, backup: Backup) -> Refusal | None:
     try:
         write_whole(path, to_text(backup).encode())
     except OSError as error:
-        figures = {"path": str(path), "text": error_text(error)}
-        return BACKUP_NOT_WRITTEN(**figures)
+        return BACKUP_NOT_WRITTEN(path=str(path), text=error_text(error))
     return None
 
 

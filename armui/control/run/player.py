@@ -432,8 +432,8 @@ class Player(Execution):
         super()._end(phase)
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
-        figures = {"row": self._index + 1, "reason": reason}
-        self._context.close(self._started, ending, RUN_FAILED, **figures)
+        row = self._index + 1
+        self._context.close(self._started, ending, RUN_FAILED, row=row, reason=reason)
 
     # How far it has come ----------------------------------------------------------------------
 

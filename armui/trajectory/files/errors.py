@@ -31,8 +31,7 @@ def field_refusal(error: FieldError) -> Refusal:
         return JSON_FIELD_MISSING(field=error.name)
     if error.problem is FieldProblem.UNKNOWN:
         return JSON_FIELD_UNKNOWN(value=error.name[:60])
-    bad = {"field": error.name, "expected": error.expected}
-    return error.refusal or JSON_FIELD_BAD(**bad)
+    return error.refusal or JSON_FIELD_BAD(field=error.name, expected=error.expected)
 
 
 class TrajectoryFileError(Exception):

@@ -450,8 +450,7 @@ class Library:
         """
         places = [(file, place) for file, place in deleted.places if place.exists()]
         if not places and deleted.places:
-            gone = {"name": ", ".join(deleted.names)}
-            raise LibraryError(DELETED_GONE(**gone))
+            raise LibraryError(DELETED_GONE(name=", ".join(deleted.names)))
         names: dict[str, str] = {}
         with on_disk(LIBRARY_NOT_RESTORED, ", ".join(deleted.names)):
             self._folder.mkdir(parents=True, exist_ok=True)
