@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+from dataclasses import KW_ONLY, dataclass
 from typing import NamedTuple
 
 
@@ -40,13 +41,14 @@ class FrameFlag(enum.IntFlag):
     IMPOSSIBLE = 128
 
 
+@dataclass(eq=False, repr=False)
 class EncodeError(ValueError):
     """A command that cannot be encoded: unknown name, value out of range, code outside the table.
 
-    Nothing has been sent when it is raised. The text names message, signal, value, legal values and
-    remedy.
+    Nothing has been sent when it is raised.
 
     Attributes:
+        text: Names message, signal, value, legal values and remedy.
         message: Name of the message asked for.
         signal: Name of the signal at fault, "" when the message itself is unknown.
         value: The value given, None when none was.
@@ -55,21 +57,11 @@ class EncodeError(ValueError):
         unit: Unit of value, minimum and maximum.
     """
 
-    def __init__(
-        self,
-        text: str,
-        *,
-        message: str,
-        signal: str = "",
-        value: object = None,
-        minimum: float | None = None,
-        maximum: float | None = None,
-        unit: str = "",
-    ) -> None:
-        super().__init__(text)
-        self.message = message
-        self.signal = signal
-        self.value = value
-        self.minimum = minimum
-        self.maximum = maximum
-        self.unit = unit
+    text: str
+    _: KW_ONLY
+    message: str
+    signal: str = ""
+    value: object = None
+    minimum: float | None = None
+    maximum: float | None = None
+    unit: str = ""

@@ -100,25 +100,15 @@ class EventCollector(ControllerPart):
 
     def on_problem(self, reason: Refusal) -> EventEntry:
         """Add an event for a problem of the program itself, and return its entry."""
-        return self._add(
-            PROBLEM,
-            EventKind.PROGRAM,
-            Asker.PROGRAM,
-            Level.WARNING,
-            params={"reason": reason},
-            repeat_key=(PROBLEM, str(reason)),
-        )
+        return self._warn(PROBLEM, (PROBLEM, str(reason)), {"reason": reason})
 
     def on_not_kept(self, text: str | None) -> EventEntry:
         """Add an event for a failed write of the events, with the system's text, if any."""
-        return self._add(
-            NOT_KEPT,
-            EventKind.PROGRAM,
-            Asker.PROGRAM,
-            Level.WARNING,
-            params={} if text is None else {"text": text},
-            repeat_key=NOT_KEPT,
-        )
+        return self._warn(NOT_KEPT, NOT_KEPT, {} if text is None else {"text": text})
+
+    def _warn(self, what: Observed, key: Hashable, params: Mapping[str, object]) -> EventEntry:
+        kind, who = EventKind.PROGRAM, Asker.PROGRAM
+        return self._add(what, kind, who, Level.WARNING, params=params, repeat_key=key)
 
     # A part of the controller -----------------------------------------------------------------
 
@@ -215,15 +205,8 @@ class EventCollector(ControllerPart):
             self._writer.write(change)
 
     def _add(
-        self,
-        what: Notice | Observed,
-        kind: EventKind,
-        who: Asker,
-        level: Level,
-        *,
-        at_s: float | None = None,
-        wall: datetime | None = None,
-        **more: Any,
+        self, what: Notice | Observed, kind: EventKind, who: Asker, level: Level, **more: Any
     ) -> EventEntry:
-        at_s = self._context.clock() if at_s is None else at_s
-        return self._writer.add(what, kind, who, level, at_s=at_s, wall=wall, **more)
+        """Add what happens now, unless ``more`` says when; see `EventWriter.add`."""
+        more.setdefault("at_s", self._context.clock())
+        return self._writer.add(what, kind, who, level, **more)

@@ -208,13 +208,10 @@ class SessionRecorder(QObject):
         Args:
             name: The name of the recording; by default the time.
         """
-        refusal = None
         if self._recording is not None:
-            refusal = SESSION_RECORDED()
-        elif name is not None and not is_name(name):
-            refusal = SESSION_NAME_BAD(name=name)
-        if refusal is not None:
-            return self._context.refuse(refusal, sends=False)
+            return self._context.refuse(SESSION_RECORDED(), sends=False)
+        if name is not None and not is_name(name):
+            return self._context.refuse(SESSION_NAME_BAD(name=name), sends=False)
         from armui.session.recording.session_recording import SessionRecording  # noqa: PLC0415 - python-can
 
         collector = self._begin_collecting()
@@ -251,13 +248,10 @@ class SessionRecorder(QObject):
         Args:
             reason: The origin of the request: ``operator``, ``fault``, ``stop``.
         """
-        refusal = None
         if self._saving is not None:
-            refusal = SESSION_SAVING()
-        elif self._ring is None or not self._ring.span()[0]:
-            refusal = SESSION_RING_EMPTY()
-        if refusal is not None or self._ring is None or self._collector is None:
-            return None if refusal is None else self._context.refuse(refusal, sends=False)
+            return self._context.refuse(SESSION_SAVING(), sends=False)
+        if self._ring is None or self._collector is None or not self._ring.span()[0]:
+            return self._context.refuse(SESSION_RING_EMPTY(), sends=False)
         self.look()
         self._facts.reset()
         lines = self._facts.news()
@@ -292,7 +286,8 @@ class SessionRecorder(QObject):
             ended = recording.wait(max(0.0, until_s - time.monotonic())) and ended
         if self._saver is not None:
             if self._saving is not None:
-                ended = _is_done(self._saving, max(0.0, until_s - time.monotonic())) and ended
+                rest_s = max(0.0, until_s - time.monotonic())
+                ended = bool(wait([self._saving], rest_s).done) and ended
             self._saver.shutdown(wait=ended)
         if self._ring is not None:
             self._ring.clear()
@@ -434,7 +429,3 @@ def _text_of(ring: FrameRing, collector: Collector, plan: RecordingPlan) -> byte
 
     collector.collect(everything=True)
     return candump_text(ring.snapshot(), plan.base, plan.channel)
-
-
-def _is_done(future: Future[Path], within_s: float) -> bool:
-    return bool(wait([future], within_s).done)

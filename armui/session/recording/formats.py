@@ -69,7 +69,7 @@ _CHANNEL: Final = 1
 _NOT_A_NAME: Final = re.compile(r"[^\w.:-]+", re.ASCII)
 
 
-class BlfFormat:
+class BlfFormat(BlockFormat):
     """The blocks of one BLF file.
 
     Args:
@@ -95,10 +95,6 @@ class BlfFormat:
         fields += blf.timestamp_to_systemtime(self.start_s)
         fields += blf.timestamp_to_systemtime(self._stop_s)
         return blf.FILE_HEADER_STRUCT.pack(*fields).ljust(blf.FILE_HEADER_SIZE, b"\0")
-
-    def closing(self) -> bytes:
-        """Return nothing: the file is complete after every block."""
-        return b""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return times as they will be read back."""
@@ -209,7 +205,7 @@ class BlfFormat:
 _ERROR_BIT: Final = 0x20000000
 
 
-class CandumpFormat:
+class CandumpFormat(BlockFormat):
     """Lines as ``candump -L -x`` writes them; error frames have their class and details.
 
     python-can's writer of this format omits the content of error frames.
@@ -224,18 +220,6 @@ class CandumpFormat:
     def __init__(self, start_s: float, channel: str) -> None:
         self.start_s = start_s
         self._channel = candump_channel(channel)
-
-    def opening(self) -> bytes:
-        """Return nothing: a log begins with its first frame."""
-        return b""
-
-    def header(self, size: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Return nothing: the format has no header."""
-        return b""
-
-    def closing(self) -> bytes:
-        """Return nothing: the format has no end part."""
-        return b""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return times as they will be read back."""
@@ -265,7 +249,7 @@ class CandumpFormat:
         return f"({time_s:.6f}) {self._channel} {place}{sign}{data} {way}\n"
 
 
-class AscFormat:
+class AscFormat(BlockFormat):
     """Vector's text format, each line by python-can's writer.
 
     The format records only the presence of an error frame.
@@ -285,10 +269,6 @@ class AscFormat:
     def opening(self) -> bytes:
         """Return the first lines of the file."""
         return self._taken()
-
-    def header(self, size: int) -> bytes:  # noqa: ARG002 - as others have it
-        """Return nothing: no header is rewritten."""
-        return b""
 
     def closing(self) -> bytes:
         """Return the line that ends the file."""

@@ -67,7 +67,7 @@ class RecordingFormat(enum.Enum):
 
 
 class BlockFormat(Protocol):
-    """Converts frames into the bytes of one file.
+    """Converts frames into the bytes of one file; by default nothing stands around the frames.
 
     Attributes:
         start_s: The time since 1970 from which the file counts, if it does.
@@ -77,12 +77,15 @@ class BlockFormat(Protocol):
 
     def opening(self) -> bytes:
         """Return the beginning of the file."""
+        return b""
 
-    def header(self, size: int) -> bytes:
+    def header(self, size: int) -> bytes:  # noqa: ARG002 - for those whose beginning tells it
         """Return the file's new beginning for a size in bytes, if it changes with it."""
+        return b""
 
     def closing(self) -> bytes:
         """Return the end of the file."""
+        return b""
 
     def rounded(self, times_s: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return times as they will be read back."""

@@ -79,19 +79,8 @@ def read_block(
     found = []
     for batch in _batches(data, kind, start_s, builder):
         times_s = batch.times_s + start_s if kind is RecordingFormat.ASC else batch.times_s
-        found.append(
-            FrameBatch(
-                batch.first,
-                times_s,
-                batch.ids,
-                batch.flags,
-                batch.lengths,
-                batch.payloads,
-                np.zeros(len(batch), np.uint8),
-                names,
-                batch.long_data,
-            )
-        )
+        channels = np.zeros(len(batch), np.uint8)
+        found.append(replace(batch, times_s=times_s, channels=channels, channel_names=names))
     return found
 
 
