@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
-from typing import Final
+from typing import Any, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
@@ -82,7 +83,7 @@ class Document(QObject):
         change = edits.difference(self.points, points)
         if change is None:
             return False
-        self.stack.push(_Edit(self, change, label))
+        self.stack.push(_Edit(self.take, change.reversed(), change, label))
         return True
 
     def note_taught(self, arm: str, count: int = 1) -> None:
@@ -104,13 +105,13 @@ class Document(QObject):
         """Replace the points by those converted for another arm, as one step of undo."""
         self.stack.beginMacro(label)
         self.edit(points, label)
-        self.stack.push(_EditTaughtOn(self, self.taught_on, arm))
+        self.stack.push(_Edit(self.take_taught_on, self.taught_on, arm))
         self.stack.endMacro()
 
     def set_note(self, note: str, label: str) -> None:
         """Change the note, as one step of undo."""
         if note != self.note:
-            self.stack.push(_EditNote(self, self.note, note, label))
+            self.stack.push(_Edit(self.take_note, self.note, note, label))
 
     def mark_saved(self, saved: Trajectory) -> None:
         """Note that the present state is on the disk."""
@@ -134,48 +135,22 @@ class Document(QObject):
 
 
 class _Edit(QUndoCommand):
-    """One edit of the points; it keeps no more than what differs."""
+    """One step of undo: what takes the state before it, or that after it.
 
-    def __init__(self, document: Document, change: Change, label: str) -> None:
+    A step of the points keeps no more than what differs.
+    """
+
+    def __init__(
+        self, take: Callable[[Any], object], before: object, after: object, label: str = ""
+    ) -> None:
         super().__init__(label)
-        self._document = document
-        self._change = change
+        self._take, self._before, self._after = take, before, after
 
     def redo(self) -> None:
-        self._document.take(self._change)
+        self._take(self._after)
 
     def undo(self) -> None:
-        self._document.take(self._change.reversed())
-
-
-class _EditNote(QUndoCommand):
-    """Another note for the trajectory."""
-
-    def __init__(self, document: Document, before: str, after: str, label: str) -> None:
-        super().__init__(label)
-        self._document = document
-        self._before, self._after = before, after
-
-    def redo(self) -> None:
-        self._document.take_note(self._after)
-
-    def undo(self) -> None:
-        self._document.take_note(self._before)
-
-
-class _EditTaughtOn(QUndoCommand):
-    """Another arm that the points are meant for."""
-
-    def __init__(self, document: Document, before: str, after: str) -> None:
-        super().__init__()
-        self._document = document
-        self._before, self._after = before, after
-
-    def redo(self) -> None:
-        self._document.take_taught_on(self._after)
-
-    def undo(self) -> None:
-        self._document.take_taught_on(self._before)
+        self._take(self._before)
 
 
 _AFTER_MS: Final = 700
