@@ -41,28 +41,19 @@ from armui.ui.words.text import Text
 from armui.viewport.view import ArmView
 
 if TYPE_CHECKING:
-    from armui.ui.dialogs.about import AboutDialog
-    from armui.ui.dialogs.about_arm import AboutArmDialog
-    from armui.ui.dialogs.connect import ConnectDialog
-    from armui.ui.dialogs.doctor import DoctorDialog
-    from armui.ui.dialogs.inspection import InspectionDialog
-    from armui.ui.dialogs.problem_report import ProblemReportDialog
-    from armui.ui.dialogs.reference_check import ReferenceDialog
-    from armui.ui.dialogs.settings import SettingsDialog
+    from armui.ui.dialogs.base import ArmDialog
     from armui.ui.shell.page_opener import PageOpener
-    from armui.ui.watch.events.event_page import EventPage
-    from armui.ui.watch.recordings.sessions_page import SessionsPage
-    from armui.ui.watch.replay.replay_window import ReplayWindow
+    from armui.ui.widgets.page import Page
 
 
-def _new_events(pages: PageOpener) -> EventPage:
+def _new_events(pages: PageOpener) -> Page:
     page = event_page()(pages.controller, pages.background)
     page.moment_chosen.connect(pages.move_cursor)
     page.moment_wanted.connect(pages.show_moment)
     return page
 
 
-def _new_sessions(pages: PageOpener) -> SessionsPage:
+def _new_sessions(pages: PageOpener) -> Page:
     page = sessions_page()(pages.controller, pages.background, pages.preferences, pages.replayed)
     page.open_wanted.connect(pages.open_replay)
     page.other_wanted.connect(pages.open_replay)
@@ -70,7 +61,7 @@ def _new_sessions(pages: PageOpener) -> SessionsPage:
     return page
 
 
-def _new_replay(pages: PageOpener) -> ReplayWindow:
+def _new_replay(pages: PageOpener) -> ArmDialog:
     from armui.session.recording.recorded_session import RecordedSession  # noqa: PLC0415 - numpy
 
     urdf_path = pages.preferences.settings.urdf_path
@@ -91,7 +82,7 @@ def _new_replay(pages: PageOpener) -> ReplayWindow:
     return window
 
 
-def _new_connect(pages: PageOpener) -> ConnectDialog:
+def _new_connect(pages: PageOpener) -> ArmDialog:
     from armui.ui.dialogs.kept_models import KeptModels  # noqa: PLC0415 - for its window
 
     kept = KeptModels(pages.preferences)
@@ -102,7 +93,7 @@ def _new_connect(pages: PageOpener) -> ConnectDialog:
     return dialog
 
 
-def _new_settings(pages: PageOpener) -> SettingsDialog:
+def _new_settings(pages: PageOpener) -> ArmDialog:
     dialog = settings_dialog()(pages.preferences, pages.controller, pages.window)
     pages.view.load_failed.connect(dialog.show_robot_problem)
     dialog.diagnosis_wanted.connect(pages.open_doctor)
@@ -113,34 +104,16 @@ def _new_settings(pages: PageOpener) -> SettingsDialog:
     return dialog
 
 
-def _new_doctor(pages: PageOpener) -> DoctorDialog:
+def _new_doctor(pages: PageOpener) -> ArmDialog:
     dialog = doctor_dialog()(pages.controller, pages.window)
     dialog.report_wanted.connect(lambda: pages.show("report"))
     return dialog
 
 
-def _new_about_arm(pages: PageOpener) -> AboutArmDialog:
+def _new_about_arm(pages: PageOpener) -> ArmDialog:
     dialog = about_arm_dialog()(pages.controller, pages.online, pages.waiting(), pages.window)
     dialog.inspection_wanted.connect(lambda: pages.show("inspection"))
     return dialog
-
-
-def _new_reference(pages: PageOpener) -> ReferenceDialog:
-    return reference_dialog()(pages.controller, pages.waiting(), pages.window)
-
-
-def _new_inspection(pages: PageOpener) -> InspectionDialog:
-    return inspection_dialog()(pages.controller, pages.waiting(), pages.window)
-
-
-def _new_report(pages: PageOpener) -> ProblemReportDialog:
-    path = pages.preferences.path
-    return report_dialog()(pages.controller, pages.waiting(), path, pages.window)
-
-
-def _new_about(pages: PageOpener) -> AboutDialog:
-    path = pages.preferences.path
-    return about_dialog()(pages.controller, pages.waiting(), path, pages.window)
 
 
 # The table ----------------------------------------------------------------------------------------
@@ -234,16 +207,18 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         command=Command("window.about_arm", Text("AboutArmDialog", "About this arm"),
                         synonyms=also("version firmware serial 版本 固件 序列号"))),
     "reference": PageEntry(
-        Text("ReferenceDialog", "Reference check"), Home.WINDOW, reference_dialog, _new_reference,
+        Text("ReferenceDialog", "Reference check"), Home.WINDOW, reference_dialog,
+        lambda it: reference_dialog()(it.controller, it.waiting(), it.window),
         command=Command("window.reference_check", Text("ReferenceDialog", "Reference check"),
                         synonyms=also("encoder lost zero calibration mark 编码器 零位 校准 丢零"))),
     "inspection": PageEntry(
         Text("InspectionDialog", "Joint inspection"), Home.WINDOW, inspection_dialog,
-        _new_inspection,
+        lambda it: inspection_dialog()(it.controller, it.waiting(), it.window),
         command=Command("window.inspection", Text("InspectionDialog", "Joint inspection"),
                         synonyms=also("friction stiff wear check 巡检 体检 摩擦 卡滞 磨损"))),
     "report": PageEntry(
-        Text("ProblemReportDialog", "Report a problem"), Home.WINDOW, report_dialog, _new_report,
+        Text("ProblemReportDialog", "Report a problem"), Home.WINDOW, report_dialog,
+        lambda it: report_dialog()(it.controller, it.waiting(), it.preferences.path, it.window),
         command=Command("window.report", Text("ProblemReportDialog", "Report a problem"),
                         synonyms=also("bug support zip log 反馈 故障 日志"))),
     "simulated": PageEntry(
@@ -252,7 +227,8 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         command=Command("window.faults", Text("FaultsDialog", "Simulated faults"),
                         needs=with_simulated, synonyms=also("inject demo test 演示 测试"))),
     "about": PageEntry(
-        Text("AboutDialog", "About armui"), Home.WINDOW, about_dialog, _new_about,
+        Text("AboutDialog", "About armui"), Home.WINDOW, about_dialog,
+        lambda it: about_dialog()(it.controller, it.waiting(), it.preferences.path, it.window),
         command=Command("window.about", Text("AboutDialog", "About armui"),
                         synonyms=also("version licence license 版本 许可证"))),
 }
