@@ -26,6 +26,7 @@ from armui.ui.background import Background, Job
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets.buttons import named
+from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.table_model import Index
 
@@ -178,9 +179,7 @@ class CommandPalette(ArmDialog):
         self.list.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._message = named("palette_message", MessageLine())
-        self.body.addWidget(self.search)
-        self.body.addWidget(self.list, 1)
-        self.body.addWidget(self._message)
+        fill(self.body, self.search, (self.list, 1), self._message)
         self.resize(*_SIZE_PX)
         self._timer = QTimer(self, interval=_FOLLOW_MS, singleShot=True)
         self._timer.timeout.connect(self._gather)

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPaintEvent
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QWidget
 
 from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.layouts import STRETCH, empty_grid, fill
+from armui.ui.widgets.layouts import STRETCH, bare_area, empty_grid, fill
 from armui.ui.widgets.text_label import text_label
 
 if TYPE_CHECKING:
@@ -65,12 +65,7 @@ class ShortcutList(ArmDialog):
         for place, title in places.items():
             self._add(grid, place, title)
         grid.setRowStretch(grid.rowCount(), 1)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(content)
-        self.body.addWidget(area, 1)
+        self.body.addWidget(bare_area(content), 1)
         fill(self.footer, STRETCH, CloseButton(self, on_enter=True))
         self.setObjectName("shortcut_list")
         self.resize(*_SIZE_PX)

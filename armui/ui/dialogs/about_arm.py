@@ -423,11 +423,8 @@ class AboutArmDialog(ArmDialog):
             self._before = now
 
     def _add_row(self) -> None:
-        name, value = QLabel(), QLabel()
-        name.setProperty("rank", "muted")
+        name, value = text_label(rank="muted"), text_label(wraps=True, plain=True)
         name.setAlignment(Qt.AlignmentFlag.AlignTop)
-        value.setTextFormat(Qt.TextFormat.PlainText)
-        value.setWordWrap(True)
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         row = len(self._labels)
         self._grid.addWidget(name, row, 0)

@@ -335,9 +335,7 @@ class KeepDialog(ArmDialog):
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._build()
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(_TYPED_MS)
+        self._timer = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._timer.timeout.connect(self._plan)
         self.name_edit.textChanged.connect(self._on_typed)
         self.retranslate_ui()
@@ -368,7 +366,7 @@ class KeepDialog(ArmDialog):
             if self._names_it()
             else self.tr("The system asks for the administrator's password.")
         )
-        self._refresh()
+        self.show_acts()
 
     def _words(self) -> Remedy:
         if not self._names_it():
@@ -379,7 +377,7 @@ class KeepDialog(ArmDialog):
     def _on_typed(self) -> None:
         self._forget_plan()
         self._timer.start()
-        self._refresh()
+        self.show_acts()
 
     def _plan(self) -> None:
         self._forget_plan()
@@ -407,16 +405,13 @@ class KeepDialog(ArmDialog):
         elif isinstance(answer, Refusal):
             self.files.setPlainText("")
             self._line.show_message(partial(words.refusal, answer), Level.WARNING)
-        self._refresh()
+        self.show_acts()
 
     def _as_text(self, planned: Planned) -> str:
         parts = [f"{path}\n\n{text}" for path, text in planned.files.items()]
         taken = self.tr("Taken away: {path}")
         parts += [taken.format(path=each) for each in planned.removed]
         return "\n".join(parts)
-
-    def _refresh(self) -> None:
-        self.show_acts()
 
     @agree_button.text
     def _agreement(self) -> str:

@@ -275,13 +275,12 @@ class ConnectDialog(ArmDialog):
         fill(self.body, said)
         if self._trouble is not None:
             fill(self.body, self._trouble, self._adapter)
-        fill(self.body, (self._table, 1), self._progress)
-        fill(self.body, self.model_choice, self._build_bitrate())
         self._manual = ManualEntry(self._controller.interfaces())
         self._manual_label = text_label(rank="muted")
-        self.body.addWidget(self._manual_label)
-        self.body.addWidget(self._manual)
-        self._build_buttons()
+        fill(self.body, (self._table, 1), self._progress, self.model_choice)
+        fill(self.body, self._build_bitrate(), self._manual_label, self._manual)
+        fill(self.footer, self.refresh_button, STRETCH)
+        fill(self.footer, self.disconnect_button, self.connect_button, CloseButton(self))
 
     def _build_bitrate(self) -> QHBoxLayout:
         self._bitrate_label = QLabel()
@@ -296,10 +295,6 @@ class ConnectDialog(ArmDialog):
         self.listen_only_box = named("listen_only_box", QCheckBox())
         about = (8, (self._bitrate_hint, 1), self.listen_only_box)
         return in_row(self._bitrate_label, self.bitrate_box, *about, spacing=LINE_GAP_PX)
-
-    def _build_buttons(self) -> None:
-        fill(self.footer, self.refresh_button, STRETCH)
-        fill(self.footer, self.disconnect_button, self.connect_button, CloseButton(self))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

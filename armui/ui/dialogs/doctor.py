@@ -10,7 +10,7 @@ from typing import Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QLabel, QProgressBar, QWidget
+from PySide6.QtWidgets import QProgressBar, QWidget
 
 from armui.arm.device import Device
 from armui.arm.models import model_data
@@ -280,7 +280,7 @@ class DoctorDialog(ArmDialog):
         for section in Section:
             findings = [each for each in self._findings() if each.section is section]
             if findings:
-                self._rows.append(partial(_heading, WORDS.section(section)))
+                self._rows.append(partial(text_label, text=WORDS.section(section), rank="muted"))
             self._rows += [partial(FindingRow, each, self._adapter) for each in findings]
         column = QWidget()
         layout = in_column(STRETCH, on=column, spacing=_GAP_PX, margins=(0, 0, _GAP_PX, 0))
@@ -312,9 +312,3 @@ class DoctorDialog(ArmDialog):
         if self._under_way is not None:
             self._under_way.end()
             self._under_way = None
-
-
-def _heading(text: str) -> QWidget:
-    label = QLabel(text)
-    label.setProperty("rank", "muted")
-    return label

@@ -143,8 +143,7 @@ class FileDialog(QFileDialog):
         self.setLabelText(QFileDialog.DialogLabel.FileType, self.tr("Kind"))
         self.stop_button = StopButton(controller, self, slim=True)
         halt_button = HaltButton(controller, self, slim=True)
-        heading = text_label(rank="title", plain=True)
-        heading.setText(title)
+        heading = text_label(text=title, rank="title", plain=True)
         top = in_row((heading, 1), halt_button, self.stop_button, spacing=14)
         _add_at_the_top(self.layout(), top)
         for buttons in self.findChildren(QDialogButtonBox):

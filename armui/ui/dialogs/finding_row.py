@@ -15,6 +15,7 @@ from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
+from armui.ui.widgets.text_label import text_label
 
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
@@ -73,10 +74,8 @@ class FindingRow(QWidget):
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._icon.setToolTip(mark)
-        label = QLabel(text)
-        label.setTextFormat(Qt.TextFormat.PlainText)
+        label = text_label(text=text, wraps=True, plain=True)
         label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        label.setWordWrap(True)
         label.setAccessibleName(f"{mark} {text}")
         grid = empty_grid(self, gaps=(_GAP_PX, 4), margins=0)
         grid.setColumnStretch(1, 1)

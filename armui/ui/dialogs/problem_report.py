@@ -87,9 +87,7 @@ class ProblemReportDialog(ArmDialog):
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         self.list.currentRowChanged.connect(self._show_file)
         self.bus_box.clicked.connect(self._on_bus)
-        self._late = QTimer(self)
-        self._late.setSingleShot(True)
-        self._late.setInterval(_HANGS_MS)
+        self._late = QTimer(self, singleShot=True, interval=_HANGS_MS)
         self._late.timeout.connect(self._on_late)
         self.retranslate_ui()
 

@@ -97,7 +97,9 @@ class ReferenceDialog(ArmDialog):
         self._photo = ""
         self._said: Refusal | None = None
         self._build()
-        self._connect()
+        self.off_field.value_edited.connect(self._show)
+        controller.state_changed.connect(self._on_changed)
+        controller.operating_state_changed.connect(self._on_changed)
         self.resize(*_SIZE_PX)
         self.retranslate_ui()
 
@@ -137,18 +139,10 @@ class ReferenceDialog(ArmDialog):
         card = QFrame()
         card.setProperty("card", True)
         in_row((task, 1), self._picture, on=card, spacing=14, margins=14)
-        self.body.addWidget(self._intro)
-        self.body.addWidget(table)
-        self.body.addWidget(card, 1)
-        self.body.addWidget(self._message)
+        fill(self.body, self._intro, table, (card, 1), self._message)
         self._close = CloseButton(self)
         fill(self.footer, self.teach_button, self.allow_button, STRETCH)
         fill(self.footer, self.begin_button, self.back_button, self._close)
-
-    def _connect(self) -> None:
-        self.off_field.value_edited.connect(self._show)
-        self._controller.state_changed.connect(self._on_changed)
-        self._controller.operating_state_changed.connect(self._on_changed)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show the present state and the photo of the reference pose."""

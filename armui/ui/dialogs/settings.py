@@ -36,7 +36,7 @@ from armui.ui.widgets.buttons import caption, describe, enable_or_explain, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
-from armui.ui.widgets.text_label import ElidedLabel
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.words.settings import setting_label, setting_tip
 from armui.ui.words.text import Text
 from armui.viewport.messages import URDF_MISSING
@@ -125,7 +125,8 @@ class SettingsDialog(ArmDialog):
     def _build(self) -> None:
         self._language_label, self.language_box = QLabel(), QComboBox()
         self._theme_label, self.theme_box = QLabel(), QComboBox()
-        self._jog_label, self.jog_step_edit, self._jog_hint = QLabel(), QLineEdit(), QLabel()
+        self._jog_label, self.jog_step_edit = QLabel(), QLineEdit()
+        self._jog_hint = text_label(rank="muted")
         self._urdf_label, self._urdf_name = QLabel(), named("urdf_name", ElidedLabel())
         self._boxes = {name: named(f"{name}_box", QCheckBox()) for name in _BOXES}
         self.jog_floor_box = named("jog_floor_box", QCheckBox())
@@ -156,7 +157,6 @@ class SettingsDialog(ArmDialog):
         for field in (self.jog_step_edit, self.jog_floor_spin, self.live_port_spin):
             field.setFixedWidth(_STEP_WIDTH_PX)
         self.jog_step_edit.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self._jog_hint.setProperty("rank", "muted")
         grid = empty_grid(gaps=(18, 12))
         grid.setColumnStretch(1, 1)
         _add_row(grid, self._language_label, self.language_box)

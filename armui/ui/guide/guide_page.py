@@ -24,7 +24,7 @@ from armui.ui.guide.guide_browser import GuideBrowser
 from armui.ui.guide.place import FIRST
 from armui.ui.guide.text import GuideSection, read_guide, search
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.layouts import fill, in_column
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 
@@ -66,8 +66,7 @@ class GuidePage(Page):
         splitter.setStretchFactor(1, 1)
         splitter.setChildrenCollapsible(False)
         splitter.setSizes([_CONTENTS_PX, _TEXT_PX])
-        self.body.addWidget(self._message)
-        self.body.addWidget(splitter, 1)
+        fill(self.body, self._message, (splitter, 1))
         self.search.textChanged.connect(self._show_contents)
         self.contents.currentItemChanged.connect(self._on_chosen)
         self.browser.section_wanted.connect(self.show_section)

@@ -35,7 +35,7 @@ from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import choice_button, describe, named
-from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row, scrolled
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
 from armui.ui.widgets.translated import Translated
@@ -181,8 +181,7 @@ class ColorDialog(ArmDialog):
         self._picker.currentColorChanged.connect(self.picked)
         self._picker.finished.connect(self.close)  # Escape in it
         self.body.addWidget(self._picker)
-        self.footer.addStretch(1)
-        self.footer.addWidget(CloseButton(self))
+        fill(self.footer, STRETCH, CloseButton(self))
         self.retranslate_ui()
 
     def show_color(self, color: QColor) -> None:

@@ -28,6 +28,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import COLUMN_GAP_PX, FIGURE_PX, MotorRow
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
+from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Texts
 
 
@@ -91,7 +92,7 @@ class MotorPanel(Panel):
 
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "motor_message")
-        self._heads = [QLabel() for _ in range(4)]
+        self._heads = [text_label(rank="muted") for _ in range(4)]
         self._rows = [MotorRow(joint, self._buttons_of(joint)) for joint in JOINTS]
         self._all_label = QLabel()
         self._lay_out()
@@ -103,7 +104,6 @@ class MotorPanel(Panel):
         rows = in_column(on=card, spacing=9, margins=(12, 8, 12, 10))
         heads = in_row(STRETCH, spacing=COLUMN_GAP_PX)
         for head in self._heads:
-            head.setProperty("rank", "muted")
             head.setFixedWidth(FIGURE_PX)
             head.setAlignment(Qt.AlignmentFlag.AlignRight)
             heads.addWidget(head)

@@ -100,15 +100,13 @@ class TeachingExitSteps(QFrame):
         self._led = False
         self._stopped_early = False
         self._due = 0
-        self._title = QLabel()
-        self._title.setWordWrap(True)
+        self._title = text_label(wraps=True)
         self._signs = [QLabel() for _ in range(_STEPS)]
-        self._lines = [QLabel() for _ in range(_STEPS)]
+        self._lines = [text_label(wraps=True) for _ in range(_STEPS)]
         grid = empty_grid(self, gaps=(6, 4), margins=0)
         grid.addWidget(self._title, 0, 0, 1, 2)
         for row, (sign, line) in enumerate(zip(self._signs, self._lines, strict=True), start=1):
             sign.setFixedWidth(_SIGN_PX)
-            line.setWordWrap(True)
             grid.addWidget(sign, row, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(line, row, 1)
         grid.setColumnStretch(1, 1)

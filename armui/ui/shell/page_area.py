@@ -42,8 +42,7 @@ class PageBar(Translated, QWidget):
         self._take_out = _tool("page_take_out")
         self._take_out.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._crumbs: QHBoxLayout = in_row(spacing=2)
-        self._name = named("page_name", ElidedLabel())
-        self._name.setProperty("rank", "title")
+        self._name = named("page_name", ElidedLabel("title"))
         parts = (self._back, self._crumbs, (self._name, 1), self._take_out)
         in_row(*parts, on=self, spacing=8, margins=0)
         self._back.clicked.connect(self.back_wanted)
@@ -67,9 +66,7 @@ class PageBar(Translated, QWidget):
             crumb = named("page_crumb", _Crumb(page))
             crumb.clicked.connect(lambda _on=False, page=page: self.page_wanted.emit(page))
             page.titled.connect(self._describe_back)
-            arrow = text_label(rank="muted")
-            arrow.setText("›")
-            for widget in (crumb, arrow):
+            for widget in (crumb, text_label(text="›", rank="muted")):
                 self._crumbs.addWidget(widget)
                 widget.show()
         self._name.show_text(shown.title)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QObject, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
 from armui.control.events import Level
 from armui.control.link.link_state import LinkState
@@ -19,6 +19,7 @@ from armui.ui.theme import Colors, colors_of
 from armui.ui.widgets import icons, painting
 from armui.ui.widgets.buttons import enable_or_explain, named, show_primary
 from armui.ui.widgets.hold_button import HoldButton
+from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.painting import repolish
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -103,15 +104,11 @@ class RecoveryLine(Translated, QWidget):
         self._hold_button = named("recovery_hold_button", HoldButton(controller))
         self._hold_button.setMinimumWidth(_BUTTON_PX)
         self._other_button = named("recovery_other_button", StepButton())
-        layout = QHBoxLayout(self)
-        layout.setSpacing(_GAP_PX)
         side = _MARGIN_PX + _GAP_PX
-        layout.setContentsMargins(side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
-        layout.addWidget(self._icon)
-        layout.addWidget(self._text, 1)
-        layout.addWidget(self._other_button, 0, Qt.AlignmentFlag.AlignVCenter)
-        layout.addWidget(self._hold_button, 0, Qt.AlignmentFlag.AlignVCenter)
-        layout.addWidget(self._button, 0, Qt.AlignmentFlag.AlignVCenter)
+        margins = (side, _TOP_PX + _PADDING_PX, side, _PADDING_PX)
+        layout = in_row(self._icon, (self._text, 1), on=self, spacing=_GAP_PX, margins=margins)
+        for button in (self._other_button, self._hold_button, self._button):
+            layout.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         for button in (self._button, self._hold_button, self._other_button):
             button.pressed.connect(self._on_pressed)

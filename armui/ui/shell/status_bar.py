@@ -31,7 +31,7 @@ from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
-from armui.ui.widgets.text_label import ElidedLabel
+from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import joined
 
@@ -228,25 +228,21 @@ class StatusBar(Translated, QWidget):
         self._notice_label = named("notice_label", ElidedLabel())
         self._notice_label.installEventFilter(self)
         self._status_icon = QLabel()
-        self._motion_label = named("status_motion", QLabel())
-        self._motion_label.setTextFormat(Qt.TextFormat.PlainText)
+        self._motion_label = text_label("status_motion", plain=True)
         self._motion_label.hide()
         self._labels = {
-            name: QLabel() for name in ("control", "arm", "mode", "teaching", "reached", "joints")
+            name: text_label(f"status_{name}", plain=True)
+            for name in ("control", "arm", "mode", "teaching", "reached", "joints")
         }
         notice = (self._notice_icon, (self._notice_label, 1), 16)
         moves = self._motion_label
         self._layout = in_row(*notice, moves, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
-            label.setObjectName(f"status_{name}")
             tell_quantities(label, *_QUANTITIES[name])
-            label.setTextFormat(Qt.TextFormat.PlainText)
             if name != "control":
-                separator = QLabel("│")
-                separator.setProperty("rank", "muted")
-                self._separators[name] = separator
-                self._layout.addWidget(separator)
+                self._separators[name] = text_label(text="│", rank="muted")
+                self._layout.addWidget(self._separators[name])
             if name == "arm":
                 self._layout.addWidget(self._status_icon)
             self._layout.addWidget(label)

@@ -35,7 +35,7 @@ from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.percent_input import PercentInput
 from armui.ui.widgets.stop_button import StopButton
-from armui.ui.widgets.text_label import ValueLabel
+from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.tips import keep_in_sight
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text, Texts
@@ -107,8 +107,7 @@ class SpeedControl(Translated, QWidget):
         self._means.show_text("")
         # it goes before the window is kept from becoming narrower
         self._means.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
-        self._arm_label = QLabel()
-        self._arm_label.setProperty("rank", "muted")
+        self._arm_label = text_label(rank="muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
         tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         wanted = (self._label, (self._slider, 1), self.field, self._means)

@@ -16,6 +16,7 @@ from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import describe, named
 from armui.ui.widgets.keeps_focus import restore_parent
+from armui.ui.widgets.layouts import fill
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -69,8 +70,7 @@ class PageWindow(ArmDialog):
         self._put_back.setFixedHeight(self.stop_button.sizeHint().height())
         self._put_back.clicked.connect(self.put_back_wanted)
         self.add_to_header(self._put_back)
-        self.body.addWidget(bar)
-        self.body.addWidget(page, 1)
+        fill(self.body, bar, (page, 1))
         page.titled.connect(self._name)
         page.show()
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))

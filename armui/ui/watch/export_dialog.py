@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QLineEdit,
-    QPushButton,
     QSizePolicy,
     QToolButton,
     QWidget,
@@ -39,7 +38,7 @@ from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file, choose_folder
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -229,10 +228,9 @@ class ExportForm(Translated, QWidget):
 
     def _build(self) -> None:
         self._labels = [QLabel() for _row in range(7)]
-        self._log_label, self._target_label = ElidedLabel(), ElidedLabel()
-        self._log_label.setObjectName("export_log")
-        self._target_label.setObjectName("export_target")
-        self.log_button, self.target_button = QPushButton(), QPushButton()
+        self._log_label = named("export_log", ElidedLabel())
+        self._target_label = named("export_target", ElidedLabel())
+        self.log_button, self.target_button = (push_button(on_enter=False) for _ in range(2))
         self.formats, formats = _choice([f"format_{each}" for each in ExportFormat])
         self.generations, generations = _choice(["generation_auto", "generation_1", "generation_2"])
         self.model_box = QComboBox()
@@ -242,15 +240,12 @@ class ExportForm(Translated, QWidget):
         self._about = text_label("export_about", rank="muted", wraps=True, plain=True)
         self.begin_field, self.end_field = FigureField(3, "s"), FigureField(3, "s")
         self._until = QLabel()
-        stretch = QWidget()
-        times = in_row(on=stretch, margins=0)
-        for widget in (self.begin_field, self._until, self.end_field):
-            times.addWidget(widget)
         for field in (self.begin_field, self.end_field):
             field.setFixedWidth(_FIELD_PX)
         self._counted_from = text_label(rank="muted")
-        times.addWidget(self._counted_from)
-        times.addStretch(1)
+        stretch = QWidget()
+        times = (self.begin_field, self._until, self.end_field, self._counted_from, STRETCH)
+        in_row(*times, on=stretch, margins=0)
         self.channel_field = QLineEdit()
         self.channel_field.setFixedHeight(32)
         grid = empty_grid(self, gaps=(14, 10), margins=0)
@@ -268,8 +263,6 @@ class ExportForm(Translated, QWidget):
         grid.addWidget(self.log_button, 0, 2)
         grid.addWidget(self._about, _BELOW_FORMATS, 1, 1, 2)
         grid.addWidget(self.target_button, len(rows), 2)
-        for button in (self.log_button, self.target_button):
-            button.setAutoDefault(False)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

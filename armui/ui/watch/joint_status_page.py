@@ -370,8 +370,7 @@ class JointStatusPage(Page):
         )
         for joint, button in self.clear_buttons.items():
             button.setProperty("compact", True)
-            number = text_label()
-            number.setText(str(joint))
+            number = text_label(text=str(joint))
             cell = (int(_LEFT_PX), 0, _BETWEEN_PX, 0)
             row.addLayout(in_row(number, button, STRETCH, spacing=0, margins=cell), 1)
 

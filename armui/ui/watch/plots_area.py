@@ -22,7 +22,7 @@ from armui.ui.watch.plot_export import PlotExport
 from armui.ui.watch.plot_layout import MOST_CURVES, MOST_PLOTS, from_text, to_text
 from armui.ui.watch.quantity_list import QuantityList
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_column, in_row
+from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.page import Page
 from armui.ui.words.text import Text
@@ -81,13 +81,9 @@ class PlotsArea(QWidget):
 
     def _lay_out(self) -> None:
         # a widget that changes its parent is styled anew, with all that is in it
-        row = in_row(self.quantities, on=self, spacing=12, margins=0)
         right = in_column(spacing=6)
-        row.addLayout(right, 1)
-        right.addWidget(self.bar)
-        right.addWidget(self.board, 1)
-        right.addWidget(self.cursor_table)
-        right.addWidget(self.message)
+        in_row(self.quantities, (right, 1), on=self, spacing=12, margins=0)
+        fill(right, self.bar, (self.board, 1), self.cursor_table, self.message)
 
     # Menus ------------------------------------------------------------------------------------
 

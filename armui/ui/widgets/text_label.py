@@ -83,8 +83,9 @@ class ElidedLabel(QLabel):
     Where it is high enough, what does not fit goes on in a second line from its last “·”.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, rank: str = "") -> None:
         super().__init__()
+        self.setProperty("rank", rank or None)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self._tip = ""
 
@@ -130,17 +131,18 @@ class ElidedLabel(QLabel):
 
 
 def text_label(
-    name: str = "", *, rank: str = "", wraps: bool = False, plain: bool = False
+    name: str = "", text: str = "", *, rank: str = "", wraps: bool = False, plain: bool = False
 ) -> QLabel:
-    """Return an empty label.
+    """Return a label.
 
     Args:
         name: Its object name.
+        text: What it says; empty if that comes later.
         rank: How the style sheet shows it: ``title``, ``muted``, …
         wraps: True to wrap long text.
         plain: True to show text that looks like HTML literally.
     """
-    label = QLabel()
+    label = QLabel(text)
     label.setObjectName(name)
     if rank:
         label.setProperty("rank", rank)

@@ -35,7 +35,7 @@ from armui.ui.panels.cell.tools_tab import ToolsTab
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, give_menu, named
-from armui.ui.widgets.layouts import in_column, in_row, scrolled
+from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
 from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
@@ -185,8 +185,7 @@ class CellPanel(Panel):
             self._group.addButton(tab_button, place)
             tab_button.setProperty("tight", True)
             choice.addWidget(tab_button, 1)
-        choice.addStretch(1)
-        choice.addWidget(self.jog)
+        fill(choice, STRETCH, self.jog)
         self._group.button(0).setChecked(True)
         self._group.idClicked.connect(self._show_tab)
         card = QFrame()

@@ -286,8 +286,7 @@ class KeyPad(Translated, QFrame):
         for place, (what, plus, minus) in enumerate(keys):
             for text, direction in ((plus, 1), (minus, -1)):
                 self._moves[_key(text)] = (place, direction)
-            label = QLabel(f"{what}  + {plus}  − {minus}")
-            label.setProperty("rank", "muted")
+            label = text_label(text=f"{what}  + {plus}  − {minus}", rank="muted")
             grid.addWidget(label, place // _COLUMNS, place % _COLUMNS)
         in_column(self._hint, grid, on=self, spacing=1, margins=(14, 5, 14, 5))
         self.retranslate_ui()

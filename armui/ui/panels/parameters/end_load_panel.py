@@ -274,7 +274,7 @@ class EndLoadPanel(Panel):
         self._note = text_label(rank="muted", wraps=True)
         self._motion_title = QLabel()
         self._state = text_label("end_feedback_state")
-        self._units = [QLabel(unit) for _field, unit in _FIGURES]
+        self._units = [text_label(text=unit, rank="muted") for _field, unit in _FIGURES]
         self._cells = {
             (joint, field): named(f"{field}_{joint}", ValueLabel("-00.000"))
             for joint in JOINTS
@@ -319,7 +319,6 @@ class EndLoadPanel(Panel):
         grid.addWidget(self.switch, 1, 3, 1, 2)
         right = Qt.AlignmentFlag.AlignRight
         for place, label in enumerate(self._units, start=1):
-            label.setProperty("rank", "muted")
             grid.addWidget(label, 2, place, right)
             grid.setColumnStretch(place, 1)
         for joint in JOINTS:

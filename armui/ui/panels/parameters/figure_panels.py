@@ -19,6 +19,7 @@ from armui.ui import format as fmt
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import FigureCell, SettingCell
 from armui.ui.widgets.layouts import empty_grid
+from armui.ui.widgets.text_label import text_label
 from armui.ui.words.parameters import parameter_name
 from armui.ui.words.text import listed
 
@@ -38,15 +39,12 @@ class JointSettingsPanel(ParameterPanel):
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(Parameter(name, joint)) for name in _COLUMNS for joint in JOINTS]
         super().__init__(controller, "joint_settings", cells, open_backup)
-        self._heads = {name: QLabel() for name in _COLUMNS}
+        self._heads = {name: text_label(rank="muted", wraps=True) for name in _COLUMNS}
         card = QFrame()
         grid = empty_grid(card, gaps=(6, 4), margins=(12, 10, 12, 10))
         for column, (name, head) in enumerate(self._heads.items(), start=1):
-            head.setProperty("rank", "muted")
-            head.setWordWrap(True)
             head.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
-            unit = QLabel(KINDS[name].unit)
-            unit.setProperty("rank", "muted")
+            unit = text_label(text=KINDS[name].unit, rank="muted")
             unit.setAlignment(Qt.AlignmentFlag.AlignRight)
             grid.addWidget(head, 0, column)
             grid.addWidget(unit, 1, column)
@@ -129,12 +127,11 @@ class ListedParameters(ParameterPanel):
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
         cells = [FigureCell(each, each.kind.unit) for each in Batch(self.group).parameters()]
         super().__init__(controller, self.name, cells, open_backup)
-        self._labels = {cell.parameter.name: QLabel() for cell in cells}
+        self._labels = {cell.parameter.name: text_label(wraps=True) for cell in cells}
         card = QFrame()
         grid = empty_grid(card, gaps=(12, 6), margins=(16, 14, 16, 10))
         for row, cell in enumerate(cells):
             label = self._labels[cell.parameter.name]
-            label.setWordWrap(True)
             label.setBuddy(cell.field)
             label.setMinimumHeight(cell.field.height())
             cell.setFixedWidth(_FIELD_PX)

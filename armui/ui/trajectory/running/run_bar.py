@@ -239,8 +239,7 @@ class RunBar(Translated, QWidget):
         self._first = _spin("run_first", 1, 1)
         self._first_label = QLabel()
         self._steps = named("run_steps", QCheckBox())
-        self._effective = named("run_effective", ElidedLabel())
-        self._effective.setProperty("rank", "muted")
+        self._effective = named("run_effective", ElidedLabel("muted"))
         self._effective.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._choices = (self._cycles, self._times, self._first, self._steps)
 

@@ -88,8 +88,7 @@ class RunStrip(HasActs, Translated, QWidget):
         self.setObjectName("run_strip")
         self._runner = Runner(controller, self)
         self._refusal: Refusal | None = None
-        self._name = named("run_name", ElidedLabel())
-        self._name.setProperty("rank", "heading")
+        self._name = named("run_name", ElidedLabel("heading"))
         self._text = named("run_text", ElidedLabel())
         self._bar = named("run_bar", QProgressBar())
         self._bar.setRange(0, _STEPS)

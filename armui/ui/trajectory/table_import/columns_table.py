@@ -68,8 +68,7 @@ class ColumnPicker(Translated, QWidget):
         for quantity in (None, *ColumnQuantity):
             self._quantity.addItem("", quantity)
         self._unit = _Choice(f"column_unit_{number}")
-        self._origin = named(f"column_origin_{number}", ElidedLabel())
-        self._origin.setProperty("rank", "warning")
+        self._origin = named(f"column_origin_{number}", ElidedLabel("warning"))
         for label in (self._title, self._origin):  # Chinese is higher, and so is any text than none
             label.setFixedHeight(_LINE_PX)
         parts = (self._title, self._quantity, self._unit, self._origin)

@@ -164,8 +164,7 @@ class EventModel(TableModel):
         self._rows: list[EventEntry] = []
         self._texts: dict[int, tuple[EventEntry, str]] = {}
         self._search: Iterator[list[EventEntry] | None] | None = None
-        self._searching = QTimer(self)
-        self._searching.setInterval(0)
+        self._searching = QTimer(self, interval=0)
         self._searching.timeout.connect(self._search_on)
         self.recolor(colors)
         self._rebuild()

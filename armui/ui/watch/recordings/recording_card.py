@@ -95,8 +95,7 @@ class RingCard(HasActs, Translated, QFrame):
         self.setProperty("card", True)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.content_label = named("ring_content", ElidedLabel())
-        self.memory_label = named("ring_memory", ElidedLabel())
-        self.memory_label.setProperty("rank", "muted")
+        self.memory_label = named("ring_memory", ElidedLabel("muted"))
         for label in (self.content_label, self.memory_label):
             label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
             label.setMinimumWidth(_FIGURES_PX)

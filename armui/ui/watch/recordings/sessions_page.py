@@ -12,7 +12,6 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
     QSizePolicy,
     QTableView,
     QWidget,
@@ -49,6 +48,7 @@ from armui.ui.widgets.table_model import (
     list_rows,
     set_widths,
 )
+from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Texts
 
 if TYPE_CHECKING:
@@ -310,8 +310,7 @@ class SessionsPage(Page):
         self._shown.setSourceModel(self._model)
         self._shown.setSortRole(SORT_ROLE)
         self.table = _table(self._shown)
-        self._hint = QLabel()
-        self._hint.setProperty("rank", "muted")
+        self._hint = text_label(rank="muted")
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message = named("sessions_message", MessageLine(keeps_room=False, lines=1))
         self._lay_out()

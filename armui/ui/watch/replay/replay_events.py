@@ -66,14 +66,8 @@ class ReplayEvents(Translated, QWidget):
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         self.message = MessageLine()
         self.message.hide()
-        layout = in_column(on=self, margins=(8, 8, 8, 6))
-        for widget, stretch in (
-            (self.bar, 0),
-            (self.table, 1),
-            (self.detail, 0),
-            (self.message, 0),
-        ):
-            layout.addWidget(widget, stretch)
+        parts = (self.bar, (self.table, 1), self.detail, self.message)
+        in_column(*parts, on=self, margins=(8, 8, 8, 6))
         self._connect()
         self.retranslate_ui()
 

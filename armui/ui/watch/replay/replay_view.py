@@ -271,13 +271,9 @@ class ReplayView(Translated, QWidget):
         splitter.setSizes([_PICTURE_PX, _TABS_PX])
         self._channel_label = text_label(rank="muted", plain=True)
         self._generation_label = text_label(rank="muted", plain=True)
-        choices = in_row((self.note, 1), spacing=8)
-        for label, box in (
-            (self._channel_label, self.channels),
-            (self._generation_label, self.generations),
-        ):
-            choices.addWidget(label)
-            choices.addWidget(box)
+        of_channel = (self._channel_label, self.channels)
+        of_generation = (self._generation_label, self.generations)
+        choices = in_row((self.note, 1), *of_channel, *of_generation, spacing=8)
         below = in_column(
             self.time_line, self.transport, choices, spacing=6, margins=(12, 6, 12, 10)
         )

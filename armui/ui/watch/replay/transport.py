@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from armui.ui.actions.keys import key_text, listen_for
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import drop_down
+from armui.ui.widgets.buttons import drop_down, push_button
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
@@ -58,21 +58,14 @@ class Transport(Translated, QWidget):
         self.speeds.activated.connect(lambda place: self.speed_wanted.emit(SPEEDS[place]))
         self.place = text_label("replay_place", plain=True)
         self.frame = text_label("replay_frame", rank="muted", plain=True)
-        row = in_row(on=self, spacing=8, margins=0)
-        for button in self.buttons.values():
-            row.addWidget(button)
-        row.addWidget(self.speeds)
-        row.addSpacing(12)
-        row.addWidget(self.place)
-        row.addSpacing(12)
+        beside = (self.speeds, 12, self.place, 12)
+        row = in_row(*self.buttons.values(), *beside, on=self, spacing=8, margins=0)
         row.addWidget(self.frame, 1, Qt.AlignmentFlag.AlignRight)
         self.retranslate_ui()
         self._recolor()
 
     def _button(self, name: str, act: Callable[[], object]) -> QPushButton:
-        button = QPushButton()
-        button.setObjectName(f"replay_{name}")
-        button.setAutoDefault(False)
+        button = push_button(f"replay_{name}", on_enter=False)
         button.setIconSize(QSize(_ICON_PX, _ICON_PX))
         # the window keeps the keys: one that is held plays on in no other control
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
