@@ -168,8 +168,7 @@ class CommandPalette(ArmDialog):
         self._later: dict[str, tuple[bool, bool]] = {}
         self._items: list[tuple[PaletteItem, SearchText]] = []
         self._unnamed: set[str] = set()
-        self.search = named("palette_search", QLineEdit())
-        self.search.setClearButtonEnabled(True)
+        self.search = named("palette_search", QLineEdit(clearButtonEnabled=True))
         self.search.installEventFilter(self)
         self.list = named("palette_list", QListView())
         self._model = PaletteModel()

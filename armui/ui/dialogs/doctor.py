@@ -141,9 +141,7 @@ class DoctorDialog(ArmDialog):
 
     def _build(self) -> None:
         self._message = named("doctor_message", MessageLine())
-        self._progress = QProgressBar()
-        self._progress.setRange(0, 0)
-        self._progress.setTextVisible(False)
+        self._progress = QProgressBar(maximum=0, textVisible=False)
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._area = named("doctor_findings", bare_area())
         self.close_button = CloseButton(self)

@@ -100,8 +100,7 @@ class FindingRow(QWidget):
         return in_row(*self.remedy_buttons, STRETCH, spacing=8)
 
     def _command(self, command: str) -> QHBoxLayout:
-        field = QLineEdit(command)
-        field.setReadOnly(True)
+        field = QLineEdit(command, readOnly=True)
         field.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         field.setCursorPosition(0)
         field.setToolTip(command)

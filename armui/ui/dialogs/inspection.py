@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFont, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QFrame, QLabel, QSpinBox, QTextBrowser, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QTextBrowser, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.control.events import Level
@@ -20,7 +20,7 @@ from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileExport
 from armui.ui.theme import colors_of
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import named, spin_box
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.text_label import text_label
@@ -89,12 +89,10 @@ class InspectionDialog(ArmDialog):
     def _build(self) -> None:
         self._intro = text_label("inspection_intro", rank="muted", wraps=True)
         self._amplitude_label = QLabel()
-        self.amplitude = named("inspection_amplitude", QSpinBox())
-        self.amplitude.setRange(int(AMPLITUDE.minimum), int(AMPLITUDE.maximum))
-        self.amplitude.setSingleStep(_STEP_DEG)
+        least, most = int(AMPLITUDE.minimum), int(AMPLITUDE.maximum)
+        self.amplitude = named("inspection_amplitude", spin_box(least, most, "°", step=_STEP_DEG))
         self.amplitude.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.amplitude.setPrefix("±")
-        self.amplitude.setSuffix("°")
         self.amplitude.setValue(int(USUAL_DEG))
         self._amplitude_label.setBuddy(self.amplitude)
         self._speed = text_label("inspection_speed", rank="muted")

@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QLabel,
     QLineEdit,
-    QSpinBox,
     QWidget,
 )
 
@@ -32,7 +31,14 @@ from armui.ui.actions.command import Command, Target, also, with_simulated
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import choose_file
 from armui.ui.gamepad.gamepad_dialog import GamepadDialog
-from armui.ui.widgets.buttons import caption, describe, enable_or_explain, named, push_button
+from armui.ui.widgets.buttons import (
+    caption,
+    describe,
+    enable_or_explain,
+    named,
+    push_button,
+    spin_box,
+)
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import repolish
@@ -130,16 +136,12 @@ class SettingsDialog(ArmDialog):
         self._urdf_label, self._urdf_name = QLabel(), named("urdf_name", ElidedLabel())
         self._boxes = {name: named(f"{name}_box", QCheckBox()) for name in _BOXES}
         self.jog_floor_box = named("jog_floor_box", QCheckBox())
-        self.jog_floor_spin = named("jog_floor_spin", QSpinBox())
-        self.jog_floor_spin.setRange(JOG_FLOOR_MM.least, JOG_FLOOR_MM.most)
-        self.jog_floor_spin.setSingleStep(10)
-        self.jog_floor_spin.setSuffix(" mm")
-        self.jog_floor_spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.jog_floor_spin.setKeyboardTracking(False)
-        self.live_port_spin = named("live_port_spin", QSpinBox())
-        self.live_port_spin.setRange(LIVE_PORT.least, LIVE_PORT.most)
-        self.live_port_spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.live_port_spin.setKeyboardTracking(False)
+        self.jog_floor_spin = named(
+            "jog_floor_spin", spin_box(JOG_FLOOR_MM.least, JOG_FLOOR_MM.most, " mm", step=10)
+        )
+        self.live_port_spin = named("live_port_spin", spin_box(LIVE_PORT.least, LIVE_PORT.most))
+        for spin in (self.jog_floor_spin, self.live_port_spin):
+            spin.setKeyboardTracking(False)
         self.browse_button, self.built_in_button = (push_button(on_enter=False) for _ in range(2))
         self.diagnosis_button = push_button("diagnosis_button", on_enter=False)
         self.about_arm_button = push_button("about_arm_button", on_enter=False)

@@ -53,8 +53,7 @@ class GuidePage(Page):
         self._wanted = FIRST
         self._answered = ""
         self._job: Job[list[GuideSection]] | None = None
-        self.search = named("guide_search", QLineEdit())
-        self.search.setClearButtonEnabled(True)
+        self.search = named("guide_search", QLineEdit(clearButtonEnabled=True))
         self.contents = named("guide_contents", QListWidget())
         self.browser = named("guide_text", GuideBrowser(background))
         self._message = named("guide_message", MessageLine(keeps_room=False))

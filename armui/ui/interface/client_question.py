@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication, QButtonGroup, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QApplication, QButtonGroup, QLabel, QWidget
 
 from armui.arm.limits import JOINTS
 from armui.control.safety.recovery_steps import Action
@@ -15,7 +15,7 @@ from armui.protocol.codes import ALL_JOINTS
 from armui.ui import words
 from armui.ui.dialogs.base import place
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog, below
-from armui.ui.widgets.buttons import caption, choice_button, named
+from armui.ui.widgets.buttons import caption, choice_button, named, spin_box
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.arm import operation_title
@@ -183,11 +183,8 @@ class GrantDialog(ClientQuestion):
         )
         self._ask = ask
         self._limit_label = QLabel()
-        self.limit = named("grant_limit", QSpinBox())
-        self.limit.setRange(1, ask.max_speed_percent)
-        self.limit.setSuffix(" %")
+        self.limit = named("grant_limit", spin_box(1, ask.max_speed_percent, " %"))
         self.limit.setFixedWidth(_FIELD_PX)
-        self.limit.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.limit.setValue(min(ask.max_speed_percent, controller.motion.speed_percent))
         self.once = choice_button("grant_once")
         self.lasting = choice_button("grant_for_connection")

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Final
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QAbstractButton, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.figures import FIGURE_NOT_A_NUMBER
 from armui.arm.refusal import Refusal
@@ -24,7 +24,7 @@ from armui.ui.actions.command import Command, Target, also
 from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
-from armui.ui.widgets.buttons import caption, choice_button, describe, enable_or_explain, named
+from armui.ui.widgets.buttons import caption, choice_group, describe, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
@@ -75,14 +75,11 @@ class MeasureChoice(QWidget):
         super().__init__()
         self._label = QLabel()
         self._label.setMinimumWidth(_LABEL_PX)
-        self._group = QButtonGroup(self)
-        self._opening = choice_button("gripper_by_opening")
-        self._angle = choice_button("gripper_by_angle")
-        layout = in_row(self._label, on=self, spacing=6, margins=0)
-        for place, button in enumerate((self._opening, self._angle)):
+        self._group = choice_group(self, ("gripper_by_opening", "gripper_by_angle"))
+        self._opening, self._angle = self.buttons
+        for button in self.buttons:
             button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            self._group.addButton(button, place)
-            layout.addWidget(button, 1)
+        in_row(self._label, *((each, 1) for each in self.buttons), on=self, spacing=6, margins=0)
         self._group.idClicked.connect(lambda place: self.chosen.emit(place == 1))
 
     @property

@@ -9,11 +9,9 @@ from typing import Final
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QPaintEvent
 from PySide6.QtWidgets import (
-    QButtonGroup,
     QCheckBox,
     QColorDialog,
     QFrame,
-    QHBoxLayout,
     QLabel,
     QSizePolicy,
     QWidget,
@@ -34,7 +32,7 @@ from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.panel import Panel
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting
-from armui.ui.widgets.buttons import choice_button, describe, named
+from armui.ui.widgets.buttons import choice_group, describe, named
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.track_slider import TrackSlider
@@ -236,7 +234,7 @@ class LightPanel(Panel):
     def __init__(self, controller: ArmController) -> None:
         super().__init__(controller, "light_message")
         self._joint_label = QLabel()
-        self._joints = QButtonGroup(self)
+        self._joints = choice_group(self, (f"light_joint_{j}" for j in JOINTS), JOINTS[0])
         self.lamp.setFixedWidth(_FIELD_PX)
         self.lamp.show_value(0)
         self._all_lamps = named("all_lamps", QCheckBox())
@@ -266,7 +264,7 @@ class LightPanel(Panel):
         card = QFrame()
         grid = empty_grid(card, gaps=(10, 8), margins=(16, 12, 16, 12))
         grid.addWidget(self._joint_label, 0, 0)
-        grid.addLayout(self._make_joint_buttons(), 0, 1)
+        grid.addLayout(in_row(*self._joints.buttons(), spacing=6), 0, 1)
         lamp = in_row(self._all_lamps, STRETCH, self.lamp)
         grid.addWidget(self.lamp.label, 1, 0)
         grid.addLayout(lamp, 1, 1)
@@ -279,16 +277,6 @@ class LightPanel(Panel):
 
         effect = in_row(self._effect_label, (self._effect, 1), spacing=12)
         self._stack(scrolled(card), effect, self.confirm, self._note)
-
-    def _make_joint_buttons(self) -> QHBoxLayout:
-        buttons = in_row(spacing=6)
-        for joint in JOINTS:
-            button = choice_button(f"light_joint_{joint}", str(joint))
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._joints.addButton(button, joint)
-            buttons.addWidget(button)
-        self._joints.button(JOINTS[0]).setChecked(True)
-        return buttons
 
     def _connect(self) -> None:
         self._joints.idClicked.connect(self._on_edited)
@@ -415,6 +403,7 @@ class LightPanel(Panel):
         self._joint_label.setText(words.figure("joint"))
         for joint in JOINTS:
             name = self.tr("Lamps of joint {joint}").format(joint=joint)
+            self._joints.button(joint).setText(str(joint))
             describe(self._joints.button(joint), name)
         self._all_lamps.setText(self.tr("All"))
         self._all_lamps.setAccessibleName(self.tr("All lamps of the joint"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -15,8 +15,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QLineEdit,
-    QSizePolicy,
-    QToolButton,
     QWidget,
 )
 
@@ -38,7 +36,7 @@ from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.dialogs.files import choose_file, choose_folder
-from armui.ui.widgets.buttons import named, push_button
+from armui.ui.widgets.buttons import choice_group, named, push_button
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -231,8 +229,9 @@ class ExportForm(Translated, QWidget):
         self._log_label = named("export_log", ElidedLabel())
         self._target_label = named("export_target", ElidedLabel())
         self.log_button, self.target_button = (push_button(on_enter=False) for _ in range(2))
-        self.formats, formats = _choice([f"format_{each}" for each in ExportFormat])
-        self.generations, generations = _choice(["generation_auto", "generation_1", "generation_2"])
+        self.formats = choice_group(self, (f"format_{each}" for each in ExportFormat))
+        generations = ("generation_auto", "generation_1", "generation_2")
+        self.generations = choice_group(self, generations)
         self.model_box = QComboBox()
         self.model_box.addItem("", None)
         for model, data in all_models().items():
@@ -251,7 +250,7 @@ class ExportForm(Translated, QWidget):
         grid = empty_grid(self, gaps=(14, 10), margins=0)
         grid.setColumnStretch(1, 1)
         rows = (
-            *(self._log_label, formats, stretch, generations),
+            *(self._log_label, _in_line(self.formats), stretch, _in_line(self.generations)),
             *(self.model_box, self.channel_field, self._target_label),
         )
         for row, (label, content) in enumerate(zip(self._labels, rows, strict=True)):
@@ -404,20 +403,10 @@ class ExportForm(Translated, QWidget):
         self._about.setText(about_text(self.format))
 
 
-def _choice(names: Sequence[str]) -> tuple[QButtonGroup, QWidget]:
-    """Buttons of which one is chosen, the first one at first."""
-    group = QButtonGroup()
+def _in_line(group: QButtonGroup) -> QWidget:
     row = QWidget()
-    layout = in_row(on=row, spacing=6, margins=0)
-    for place, name in enumerate(names):
-        button = named(name, QToolButton())
-        button.setCheckable(True)
-        button.setProperty("choice", True)
-        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        group.addButton(button, place)
-        layout.addWidget(button, 1)
-    group.button(0).setChecked(True)
-    return group, row
+    in_row(*((button, 1) for button in group.buttons()), on=row, spacing=6, margins=0)
+    return row
 
 
 class RunningExport(Protocol):

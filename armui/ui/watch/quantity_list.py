@@ -58,8 +58,7 @@ class QuantityList(Translated, QWidget):
         self._telemetry = telemetry
         self._items: dict[str, QStandardItem] = {}
         self._groups: list[tuple[QStandardItem, str]] = []
-        self.search = named("quantity_search", QLineEdit())
-        self.search.setClearButtonEnabled(True)
+        self.search = named("quantity_search", QLineEdit(clearButtonEnabled=True))
         self._model = QStandardItemModel(self)
         self._shown = QSortFilterProxyModel(self)
         self._shown.setRecursiveFilteringEnabled(True)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Final, TypeVar
 
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QAction, QCursor, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QButtonGroup,
     QComboBox,
     QMenu,
     QPushButton,
+    QSizePolicy,
+    QSpinBox,
     QToolButton,
     QWidget,
     QWidgetAction,
@@ -158,6 +162,37 @@ def drop_down(name: str) -> QComboBox:
     box = named(name, QComboBox())
     box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
     return box
+
+
+def spin_box(least: int, most: int, unit: str = "", *, step: int = 1) -> QSpinBox:
+    """Return a box for a whole number, which stands in its middle.
+
+    Args:
+        least: The smallest number allowed.
+        most: The greatest number allowed.
+        unit: What is shown after it, with its space.
+        step: How far an arrow changes it.
+    """
+    box = QSpinBox(minimum=least, maximum=most, suffix=unit, singleStep=step)
+    box.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    return box
+
+
+def choice_group(owner: QWidget, names: Iterable[str], first: int = 0) -> QButtonGroup:
+    """Return buttons of which one is chosen, the first one at first; they share the room of a row.
+
+    Args:
+        owner: The widget that the group belongs to.
+        names: Their object names.
+        first: The number of the first one; the others follow it.
+    """
+    group = QButtonGroup(owner)
+    for number, name in enumerate(names, first):
+        button = choice_button(name)
+        button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        group.addButton(button, number)
+    group.button(first).setChecked(True)
+    return group
 
 
 def choice_button(name: str, text: str = "") -> QToolButton:

@@ -7,8 +7,7 @@ from PySide6.QtWidgets import QProgressBar
 
 def quiet_progress() -> QProgressBar:
     """Return a hidden bar without figures that keeps its place, so that nothing below it moves."""
-    bar = QProgressBar()
-    bar.setTextVisible(False)
+    bar = QProgressBar(textVisible=False)
     policy = bar.sizePolicy()
     policy.setRetainSizeWhenHidden(True)
     bar.setSizePolicy(policy)

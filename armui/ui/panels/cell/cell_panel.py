@@ -149,8 +149,7 @@ class CellPanel(Panel):
         self._preferences = preferences
         self._choice = named("cell_box", QComboBox())
         self._choice.setMinimumWidth(_NARROW_PX)
-        self._name = named("cell_name", QLineEdit())
-        self._name.setMaxLength(LONGEST_NAME)
+        self._name = named("cell_name", QLineEdit(maxLength=LONGEST_NAME))
         self._others = named("cell_compare_menu", QMenu(self.compare))
         give_menu(self.compare, self._others)
         self._name_label = QLabel()

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any, ClassVar, Final
 
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QLabel, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -33,7 +33,7 @@ from armui.ui.panels.cell.cell_tab import (
     pose_grid,
 )
 from armui.ui.panels.cell.point_search import PointSearch
-from armui.ui.widgets.buttons import caption, choice_button, named
+from armui.ui.widgets.buttons import caption, choice_group, named
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, Item, empty_grid, in_column, in_row
 from armui.ui.words.text import Text
@@ -144,14 +144,12 @@ class NamedTab(CellTab):
         self._next = hint_label(f"{name}_next")
         self._choice_label, self._name_label, self._size_label = QLabel(), QLabel(), QLabel()
         self._choice = named(self.listed or name, QComboBox())
-        self._name = named(f"{name}_name", QLineEdit())
-        self._name.setMaxLength(LONGEST_NAME)
+        self._name = named(f"{name}_name", QLineEdit(maxLength=LONGEST_NAME))
         self._figures: list[FigureField] = []
         self._fields = [self._figure(axis, fmt.DECIMALS, unit) for axis, unit in UNITS.items()]
         self._sizes: list[FigureField] = []
         self._search = search
         self._ways = CurrentStack()
-        self._way = QButtonGroup(self)
         self._choice.activated.connect(
             lambda place: self._choose(self._choice.itemData(place) or "")
         )
@@ -206,14 +204,10 @@ class NamedTab(CellTab):
             return
         typed = QWidget()
         in_column(*parts, on=typed, spacing=8, margins=0)
-        for place, (way, widget) in enumerate(
-            ((f"cell_{self.part}_typed", typed), (f"cell_{self.part}_by_points", self._search))
-        ):
-            button = choice_button(way)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._way.addButton(button, place)
+        for widget in (typed, self._search):
             self._ways.addWidget(widget)
-        self._way.button(0).setChecked(True)
+        names = (f"cell_{self.part}_typed", f"cell_{self.part}_by_points")
+        self._way = choice_group(self, names)
         self._way.idClicked.connect(self._on_way_chosen)
         self._search.applied.connect(self._take_found)
         ways = in_row(*((button, 1) for button in self._way.buttons()), spacing=6)

@@ -8,11 +8,9 @@ from typing import Final
 
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QButtonGroup,
     QComboBox,
     QFrame,
     QLabel,
-    QSizePolicy,
     QWidget,
 )
 
@@ -37,7 +35,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import caption, choice_button, describe, enable_or_explain, named
+from armui.ui.widgets.buttons import caption, choice_group, describe, enable_or_explain, named
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
@@ -140,14 +138,9 @@ class FrameChoice(Translated, QWidget):
         super().__init__()
         self._cartesian = cartesian
         self._label = QLabel()
-        self._buttons = QButtonGroup(self)
-        layout = in_row(self._label, on=self, spacing=6, margins=0)
-        for number, frame in enumerate((*(each.value for each in JogFrame), "user")):
-            button = choice_button(f"frame_{frame}")
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._buttons.addButton(button, number)
-            layout.addWidget(button, 1)
-        self._buttons.button(0).setChecked(True)
+        frames = (*(each.value for each in JogFrame), "user")
+        self._buttons = choice_group(self, (f"frame_{frame}" for frame in frames))
+        in_row(self._label, *((each, 1) for each in self.buttons), on=self, spacing=6, margins=0)
         self.retranslate_ui()
 
     @property

@@ -8,9 +8,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QButtonGroup,
     QLabel,
-    QSizePolicy,
     QStackedWidget,
     QWidget,
 )
@@ -23,7 +21,7 @@ from armui.ui import format as fmt
 from armui.ui.actions.act import Act, ActFamily, HasActs
 from armui.ui.actions.command import with_pose
 from armui.ui.theme import scaled_font
-from armui.ui.widgets.buttons import caption, choice_button
+from armui.ui.widgets.buttons import caption, choice_group
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column, in_row
 from armui.ui.widgets.text_label import text_label
@@ -247,16 +245,11 @@ class PoseExtras(Translated, QWidget):
 
     def __init__(self, arc: ArcBox, tool: ToolBox) -> None:
         super().__init__()
-        self._group = QButtonGroup(self)
+        self._group = choice_group(self, ("extra_arc", "extra_tool"))
         self._stack = QStackedWidget()
-        row = in_row(spacing=6)
-        for place, (name, widget) in enumerate((("extra_arc", arc), ("extra_tool", tool))):
-            button = choice_button(name)
-            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._group.addButton(button, place)
+        for widget in (arc, tool):
             self._stack.addWidget(widget)
-            row.addWidget(button, 1)
-        self._group.button(0).setChecked(True)
+        row = in_row(*((button, 1) for button in self.buttons), spacing=6)
         self._group.idClicked.connect(self._stack.setCurrentIndex)
         in_column(row, self._stack, on=self, spacing=6, margins=0)
         self.retranslate_ui()

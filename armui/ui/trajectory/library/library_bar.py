@@ -52,8 +52,7 @@ class LibraryBar(HasActs, QWidget):
         super().__init__()
         self._count, self._unsaved, self._kept = 0, False, ""
         self._export_menu = QMenu(self)
-        self.search = named("library_search", QLineEdit())
-        self.search.setClearButtonEnabled(True)
+        self.search = named("library_search", QLineEdit(clearButtonEnabled=True))
         self.search.setMinimumWidth(_SEARCH_PX)
         self.search.setAcceptDrops(False)  # files are for the window, not for the search
         self.search.installEventFilter(self)

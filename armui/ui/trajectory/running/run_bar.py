@@ -38,7 +38,14 @@ from armui.ui.dialogs.confirm_dialog import ASKED_OTHERWISE
 from armui.ui.theme import colors_of
 from armui.ui.trajectory.running.run_estimate import RunEstimate, estimate_tip
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import drop_down, enable_or_explain, named, push_button, show_primary
+from armui.ui.widgets.buttons import (
+    drop_down,
+    enable_or_explain,
+    named,
+    push_button,
+    show_primary,
+    spin_box,
+)
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import fill, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
@@ -604,9 +611,7 @@ class RunBar(Translated, QWidget):
 
 
 def _spin(name: str, most: int, value: int) -> QSpinBox:
-    spin = named(name, QSpinBox())
-    spin.setRange(1, most)
+    spin = named(name, spin_box(1, most))
     spin.setValue(value)
-    spin.setAlignment(Qt.AlignmentFlag.AlignCenter)
     spin.setFixedHeight(_SPIN_PX)
     return spin

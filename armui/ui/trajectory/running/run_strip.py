@@ -90,9 +90,7 @@ class RunStrip(HasActs, Translated, QWidget):
         self._refusal: Refusal | None = None
         self._name = named("run_name", ElidedLabel("heading"))
         self._text = named("run_text", ElidedLabel())
-        self._bar = named("run_bar", QProgressBar())
-        self._bar.setRange(0, _STEPS)
-        self._bar.setTextVisible(False)
+        self._bar = named("run_bar", QProgressBar(maximum=_STEPS, textVisible=False))
         self._bar.setFixedWidth(_BAR_PX)
         self._told = QWidget()
         self._beside = self._stood_first = False

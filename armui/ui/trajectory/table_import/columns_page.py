@@ -8,8 +8,8 @@ from functools import partial
 from pathlib import Path, PurePath
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QObject, Qt, QThread, Signal
-from PySide6.QtWidgets import QLabel, QLineEdit, QSpinBox, QWidget
+from PySide6.QtCore import QCoreApplication, QObject, QThread, Signal
+from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
 from armui.cell.tools import NO_TOOL
 from armui.control.arm_controller import ArmController
@@ -28,7 +28,7 @@ from armui.ui.actions.act import Act, HasActs
 from armui.ui.trajectory.library.library_work import LibraryWork
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
 from armui.ui.trajectory.table_import.dialect_bar import DialectBar
-from armui.ui.widgets.buttons import drop_down, named, push_button
+from armui.ui.widgets.buttons import drop_down, named, push_button, spin_box
 from armui.ui.widgets.flow import in_flow, pair
 from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -139,11 +139,8 @@ class ColumnsPage(Page):
         self._source = text_label("columns_source", rank="muted", wraps=True, plain=True)
         self._moves = drop_down("columns_move")
         self._moves.addItems([""] * len(_MOVES))
-        self._speed = named("columns_speed", QSpinBox())
-        self._speed.setRange(1, 100)
+        self._speed = named("columns_speed", spin_box(1, 100, " %"))
         self._speed.setValue(columns.SPEED_PERCENT)
-        self._speed.setSuffix(" %")
-        self._speed.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._of = drop_down("columns_of")
         self._in = drop_down("columns_in")
         self._name = named("columns_name", QLineEdit())

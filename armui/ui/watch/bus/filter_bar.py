@@ -73,11 +73,9 @@ class FilterBar(HasActs, Translated, QWidget):
         for button in (self.by_id, self.in_order):
             views.addButton(button)
         self.by_id.setChecked(True)
-        self.text = named("bus_text", QLineEdit())
-        self.text.setClearButtonEnabled(True)
+        self.text = named("bus_text", QLineEdit(clearButtonEnabled=True))
         self.text.setMinimumWidth(_TEXT_PX)
-        self.ids = named("bus_ids", QLineEdit())
-        self.ids.setClearButtonEnabled(True)
+        self.ids = named("bus_ids", QLineEdit(clearButtonEnabled=True))
         self.ids.setFixedWidth(_IDS_PX)
         self.senders = drop_down("bus_senders")
         self.more = named("bus_filter", QToolButton())

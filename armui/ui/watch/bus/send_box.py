@@ -65,11 +65,9 @@ class SendBox(HasActs, Translated, QWidget):
         self._texts = texts
         self._pressed: Frame | None = None
         self._sent = ""
-        self.identifier = named("bus_send_id", QLineEdit())
-        self.identifier.setMaxLength(10)
+        self.identifier = named("bus_send_id", QLineEdit(maxLength=10))
         self.identifier.setFixedWidth(_ID_PX)
-        self.data = named("bus_send_data", QLineEdit())
-        self.data.setMaxLength(60)
+        self.data = named("bus_send_data", QLineEdit(maxLength=60))
         self.data.setMinimumWidth(_DATA_PX)
         for field in (self.identifier, self.data):
             field.setFont(byte_font(field))

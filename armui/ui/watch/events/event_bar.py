@@ -152,8 +152,7 @@ class EventBar(HasActs, Translated, QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.search = named("event_search", QLineEdit())
-        self.search.setClearButtonEnabled(True)
+        self.search = named("event_search", QLineEdit(clearButtonEnabled=True))
         self.levels = drop_down("event_levels")
         self.askers = drop_down("event_askers")
         self.chosen_kinds = named("event_kinds", QToolButton())

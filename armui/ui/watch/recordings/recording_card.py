@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QProgressBar,
     QSizePolicy,
-    QSpinBox,
     QToolButton,
     QWidget,
 )
@@ -27,7 +26,7 @@ from armui.ui.actions.act import Act, HasActs, check_box
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import drop_down, named
+from armui.ui.widgets.buttons import drop_down, named, spin_box
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
@@ -223,13 +222,9 @@ class RecordingCard(HasActs, Translated, QFrame):
         self.format_box = drop_down("session_format")
         for suffix, name in _FORMATS:
             self.format_box.addItem(f"{name} ({suffix})", suffix)
-        self.size_box = named(
-            "session_rotate_size",
-            QSpinBox(minimum=ROTATE_MB.least, maximum=ROTATE_MB.most, suffix=" MB"),
-        )
-        self.size_box.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        size = spin_box(ROTATE_MB.least, ROTATE_MB.most, " MB", step=50)
+        self.size_box = named("session_rotate_size", size)
         self.size_box.setKeyboardTracking(False)
-        self.size_box.setSingleStep(50)
         self.task_field = named("episode_task", QLineEdit(maxLength=LONGEST_TASK))
         self._task_label = QLabel()
         self.folder_name = named("session_folder", ElidedLabel())

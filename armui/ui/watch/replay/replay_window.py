@@ -204,9 +204,9 @@ class ReplayWindow(ArmDialog):
         part = QWidget()
         self._hint = text_label("replay_hint", wraps=True, plain=True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.progress = named("replay_progress", QProgressBar())
+        # its height would cut a text
+        self.progress = named("replay_progress", QProgressBar(textVisible=False))
         self.progress.setFixedWidth(480)
-        self.progress.setTextVisible(False)  # which its height would cut
         layout = in_column(on=part, spacing=14)
         layout.addStretch(2)
         layout.addWidget(self._hint)
