@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 
     from PySide6.QtGui import (
         QCloseEvent,
-        QFocusEvent,
         QHideEvent,
         QImage,
         QKeyEvent,
@@ -671,16 +670,6 @@ class ArmView(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self.retranslate_ui()
             self.update()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """Paint the focus frame."""
-        super().focusInEvent(event)
-        self.update()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Remove the focus frame."""
-        super().focusOutEvent(event)
-        self.update()
 
     # the operator's hand ----------------------------------------------------------------------
 
