@@ -49,11 +49,10 @@ from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.gamepad import (
-    gamepad_action,
-    gamepad_axis,
+    GAMEPAD_ACTIONS,
+    GAMEPAD_AXES,
     gamepad_button,
     gamepad_mode,
-    gamepad_source,
     moved_axis,
 )
 
@@ -139,7 +138,7 @@ class ButtonRows(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         for action, box in self._boxes.items():
-            self._labels[action].setText(gamepad_action(action))
+            self._labels[action].setText(GAMEPAD_ACTIONS.text(action))
             for place, button in enumerate(self._choices(action)):
                 text = gamepad_button(self._kind, button) if button else self.tr("No button")
                 box.setItemText(place, text)
@@ -255,11 +254,11 @@ class AxisRows(Translated, QWidget):
         """Set all texts in the operator's language."""
         sources = SOURCES[self._kind][self._mode]
         for place, source in enumerate(sources):
-            self._sources[place].setText(gamepad_source(source))
+            self._sources[place].setText(GAMEPAD_AXES.text(source.axis or source.plus))
             self._targets[place].setText(moved_axis(self._mode, place))
-            self._bars[place].setAccessibleName(gamepad_source(source))
-        self._trigger_label.setText(gamepad_axis(SPEED_AXIS))
-        self._trigger.setAccessibleName(gamepad_axis(SPEED_AXIS))
+            self._bars[place].setAccessibleName(GAMEPAD_AXES.text(source.axis or source.plus))
+        self._trigger_label.setText(GAMEPAD_AXES.text(SPEED_AXIS))
+        self._trigger.setAccessibleName(GAMEPAD_AXES.text(SPEED_AXIS))
         self._share.setToolTip(
             self.tr("Share of the speed in the top bar; a fifth of it without the trigger")
         )

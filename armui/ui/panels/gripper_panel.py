@@ -32,7 +32,7 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scr
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.track_slider import TrackSlider
-from armui.ui.words.arm import GRIPPER_ACTS
+from armui.ui.words.arm import GRIPPER_ACTS, GRIPPER_FAULTS
 from armui.ui.words.text import Text, Texts
 
 _Kind = tuple[Generation, bool]
@@ -465,7 +465,7 @@ class GripperPanel(Panel):
         self._ask_to_hold(
             self.tr("Disable the gripper"),
             self.tr("The gripper loses its power and drops what it holds. Hold the workpiece."),
-            words.gripper_act("disable"),
+            GRIPPER_ACTS.text("disable"),
             self._controller.gripper.disable,
         )
 
@@ -477,7 +477,7 @@ class GripperPanel(Panel):
                 "what it holds.\nClose it by hand before. With a wrong zero it presses against its "
                 "stop, or does not close."
             ),
-            words.gripper_act("zero"),
+            GRIPPER_ACTS.text("zero"),
             self._controller.gripper.set_zero,
             still=partial(self._controller.gripper.stands_as, self._controller.state),
         )
@@ -525,7 +525,7 @@ class GripperPanel(Panel):
         self._mark.show_mark(mark, muted=stale)
         self._power.setText(word)
         faults = sorted(heard.value.faults, key=lambda f: f.name) if heard and not stale else []
-        self._faults.setText("; ".join(words.gripper_fault(fault) for fault in faults))
+        self._faults.setText("; ".join(map(GRIPPER_FAULTS.text, faults)))
         self._faults.setVisible(bool(faults))
 
     # -- appearance ---------------------------------------------------------------------------

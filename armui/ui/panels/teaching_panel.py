@@ -266,7 +266,7 @@ class TeachingPanel(Panel):
     @teach.pressed
     def _on_command(self, command: TeachingState) -> None:
         self._withdrawn = None
-        label = words.teaching_command(command)
+        label = TEACHING_COMMANDS.text(command)
         if command is TeachingState.START_RECORDING:
             title = words.step_question(Action.LEAD_BY_HAND)
             text = words.step_danger(Action.LEAD_BY_HAND)
@@ -404,7 +404,7 @@ class TeachingPanel(Panel):
             self._say(refusal)
         elif controller.teaching.pending is not None:
             text = self.tr("Waiting for the arm: {command}")
-            command = words.teaching_command(controller.teaching.pending)
+            command = TEACHING_COMMANDS.text(controller.teaching.pending)
             self._message.show_message(text.format(command=command))
         elif self._unanswered is not None:
             self._message.show_message(words.event(self._unanswered), Level.FAULT)

@@ -33,6 +33,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
+from armui.ui.words.arm import OTHER_MODES
 from armui.ui.words.text import joined
 
 if TYPE_CHECKING:
@@ -392,7 +393,7 @@ class StatusBar(Translated, QWidget):
         """Return how the arm travels; a mode that another program has chosen is told as its."""
         if not foreign_mode:
             return words.move_mode(code)
-        mode = words.other_mode(foreign_mode)
+        mode = OTHER_MODES.text(foreign_mode)
         text = self.tr("{mode} by another program").format(mode=mode)
         return text[:1].upper() + text[1:]
 

@@ -104,8 +104,9 @@ GRIPPER_ACTS: Final = Texts("GripperAct") | {
     "clear": "Clear error",
     "zero": "Set zero",
 }
+"""The actions on the gripper («清除错误»)."""
 
-_FAULTS: Final = Texts("GripperFault") | {
+GRIPPER_FAULTS: Final = Texts("GripperFault") | {
     GripperFault.UNDERVOLTAGE: "supply voltage too low",
     GripperFault.MOTOR_OVERTEMPERATURE: "motor too hot",
     GripperFault.OVERCURRENT: "driver overcurrent",
@@ -113,14 +114,15 @@ _FAULTS: Final = Texts("GripperFault") | {
     GripperFault.SENSOR: "sensor abnormal",
     GripperFault.DRIVER: "driver error",
 }
+"""The faults of the gripper's driver («电机过温»)."""
 
-
-_LOADS: Final = Texts("EndLoad") | {
+END_LOADS: Final = Texts("EndLoad") | {
     EndLoad.EMPTY: "No load",
     EndLoad.HALF: "Half load",
     EndLoad.FULL: "Full load",
     EndLoad.NOT_GIVEN: "Not given",
 }
+"""The loads («半载»)."""
 _ITEMS: Final = Texts("JointItem") | {
     Item.STATUS_CODE: "Status code:",
     Item.SUPPLY_VOLTAGE: "Supply voltage:",
@@ -157,13 +159,14 @@ _VERDICTS: Final = Texts("JointVerdict") | {
     StatusVerdict.FAULT: "Fault",
     StatusVerdict.OFFLINE: "Offline",
 }
-_MOUNTINGS: Final = Texts("Mounting") | {
+MOUNTINGS: Final = Texts("Mounting") | {
     Mounting.UNCHANGED: "Unchanged",
     Mounting.LEVEL: "Level",
     Mounting.ON_THE_LEFT_SIDE: "Left side",
     Mounting.ON_THE_RIGHT_SIDE: "Right side",
     Mounting.UPSIDE_DOWN: "Upside down",
 }
+"""The mountings («水平»)."""
 TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
     TeachingState.START_RECORDING: "Start recording",
     TeachingState.STOP_RECORDING: "Stop recording",
@@ -173,6 +176,7 @@ TEACHING_COMMANDS: Final = Texts("TeachingCommand") | {
     TeachingState.ABORT: "Terminate",
     TeachingState.MOVE_TO_START: "Move to start",
 }
+"""The commands of 0x150 byte 2 («开始示教记录»)."""
 
 TRAJECTORY_COMMANDS: Final = Texts("TrajectoryCommand") | {
     TrajectoryCommand.PAUSE: "Pause",
@@ -181,12 +185,14 @@ TRAJECTORY_COMMANDS: Final = Texts("TrajectoryCommand") | {
     TrajectoryCommand.CLEAR_ALL: "Clear all",
     TrajectoryCommand.ABORT: "Terminate",
 }
+"""The commands of 0x150 byte 1 («暂停当前轨迹»)."""
 
-_MODES: Final = Texts("OtherMode") | {
+OTHER_MODES: Final = Texts("OtherMode") | {
     "mit": "MIT",
     "cpv": "CPV",
     "high_follow": "high-follow",
 }
+"""The modes that another host can set."""
 _KINDS: Final = Texts("ArmKind") | {"older": "{model} (zeros before S-V1.6-3)"}
 ARM_PARTS: Final = Texts("ArmPart") | {
     "base": "the base",
@@ -202,20 +208,10 @@ ARM_PARTS: Final = Texts("ArmPart") | {
 """The parts of the arm and what it carries, as checks name them."""
 
 
-def part_name(part: str) -> str:
-    """Return a part of the arm in the operator's language."""
-    return ARM_PARTS.word(part)
-
-
 def arm_kind(kind: str) -> str:
     """Return a `ModelFit.kind` in the operator's language."""
     model = kind.removesuffix(OLDER_ZEROS)
     return kind if model == kind else _KINDS.text("older", {"model": model})
-
-
-def other_mode(mode: str) -> str:
-    """Return the name of a mode that another host has set."""
-    return _MODES.text(mode)
 
 
 def held_target(angles_deg: object) -> str:
@@ -223,16 +219,6 @@ def held_target(angles_deg: object) -> str:
     if not isinstance(angles_deg, tuple):
         return QCoreApplication.translate("HeldTarget", "a target this program does not know")
     return ", ".join(f"{angle:.1f}°" for angle in angles_deg)
-
-
-def teaching_command(command: TeachingState) -> str:
-    """Return the name of a command of 0x150 byte 2 («开始示教记录»)."""
-    return TEACHING_COMMANDS.text(command)
-
-
-def trajectory_command(command: TrajectoryCommand) -> str:
-    """Return the name of a command of 0x150 byte 1 («暂停当前轨迹»)."""
-    return TRAJECTORY_COMMANDS.text(command)
 
 
 def device_name(device: Device) -> str:
@@ -267,11 +253,6 @@ def disabling(danger: str, generation: Generation | None, state: ArmState) -> st
     return danger if freed is False else f"{danger}\n{text}"
 
 
-def mounting(how: Mounting) -> str:
-    """Return the name of a mounting («水平»)."""
-    return _MOUNTINGS.text(how)
-
-
 def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
     """Return whether an arm was told how its base stands; empty if nothing is to be said.
 
@@ -299,8 +280,8 @@ def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
             "one of them is wrong. Correct the figures, or tell the arm under End load.",
         )
     return text.format(
-        needed="" if needed is None else mounting(needed),
-        told="" if told is None else mounting(told),
+        needed="" if needed is None else MOUNTINGS.text(needed),
+        told="" if told is None else MOUNTINGS.text(told),
     )
 
 
@@ -329,24 +310,9 @@ def joint_verdict(verdict: StatusVerdict) -> str:
     return _VERDICTS.text(verdict)
 
 
-def end_load(load: EndLoad) -> str:
-    """Return the name of a load («半载»)."""
-    return _LOADS.text(load)
-
-
 def calibrated_mm() -> str:
     """Return the unit of an opening by the gripper's table («mm，已校准»)."""
     return QCoreApplication.translate("Gripper", "mm, calibrated")
-
-
-def gripper_act(name: str) -> str:
-    """Return the name of an action on the gripper («清除错误»)."""
-    return GRIPPER_ACTS.word(name)
-
-
-def gripper_fault(fault: GripperFault) -> str:
-    """Return the name of a fault of its driver («电机过温»)."""
-    return _FAULTS.text(fault)
 
 
 def control_mode(code: int) -> str:

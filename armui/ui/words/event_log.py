@@ -29,7 +29,7 @@ from armui.control.motion.motion_command import End
 from armui.protocol.codec import InvalidFrameKind
 from armui.telemetry.events import Asker, EventEntry, EventKind, EventOutcome, Level
 from armui.ui.words import arm
-from armui.ui.words.arm import gripper_fault, joint_item, joint_word
+from armui.ui.words.arm import GRIPPER_FAULTS, joint_item, joint_word
 from armui.ui.words.events import notice_text
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.refusals import refusal
@@ -171,7 +171,7 @@ _FIGURES: Final[Mapping[Observed, Mapping[str, Callable[[Any], str]]]] = {
         "item": lambda name: joint_item(Item[name]).rstrip(":"),
         "word": lambda name: joint_word(Word[name]),
     },
-    GRIPPER_FAULT: {"fault": lambda name: gripper_fault(GripperFault(name))},
+    GRIPPER_FAULT: {"fault": lambda name: GRIPPER_FAULTS.text(GripperFault(name))},
     INVALID_FRAMES: {"kind": _FRAME_KINDS.word},
     MOTION_CUT: {"end": _ENDS.word},
     PROBLEM: {"reason": _reason},

@@ -13,15 +13,15 @@ from armui.control.devices.gripper import CALIBRATED_MM
 from armui.control.events import Event, Notice
 from armui.protocol.codes import EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.ui.words.arm import (
+    ARM_PARTS,
+    END_LOADS,
+    GRIPPER_ACTS,
+    MOUNTINGS,
+    TEACHING_COMMANDS,
+    TRAJECTORY_COMMANDS,
     calibrated_mm,
     device_name,
-    end_load,
-    gripper_act,
-    mounting,
     operation_title,
-    part_name,
-    teaching_command,
-    trajectory_command,
 )
 from armui.ui.words.motion import what_is_below
 from armui.ui.words.parameters import setting_names
@@ -29,9 +29,9 @@ from armui.ui.words.refusals import refusal
 from armui.ui.words.text import sentence, source_of
 
 _NAMES: Final = {
-    "act": gripper_act,
+    "act": GRIPPER_ACTS.word,
     "operation": operation_title,
-    "part": part_name,
+    "part": ARM_PARTS.word,
     "below": what_is_below,
     "settings": setting_names,
 }
@@ -53,15 +53,15 @@ def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
     if isinstance(device := params.get("device"), Device):
         params["device"] = device_name(device)
     if isinstance(command := params.get("command"), int):
-        params["command"] = teaching_command(TeachingState(command))
+        params["command"] = TEACHING_COMMANDS.text(TeachingState(command))
     if isinstance(plan := params.get("plan"), int):
-        params["plan"] = trajectory_command(TrajectoryCommand(plan))
+        params["plan"] = TRAJECTORY_COMMANDS.text(TrajectoryCommand(plan))
     if params.get("unit") == CALIBRATED_MM:
         params["unit"] = calibrated_mm()
     if isinstance(load := params.get("load"), int):
-        params["load"] = end_load(EndLoad(load))
+        params["load"] = END_LOADS.text(EndLoad(load))
     if isinstance(how := params.get("mounting"), int):
-        params["mounting"] = mounting(Mounting(how))
+        params["mounting"] = MOUNTINGS.text(Mounting(how))
     for name, in_words in _NAMES.items():
         if isinstance(value := params.get(name), str):
             params[name] = in_words(value)

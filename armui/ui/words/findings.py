@@ -6,7 +6,7 @@ from typing import Final
 
 from armui.trajectory.planning.check import OTHER_ARM
 from armui.trajectory.planning.findings import Finding, Severity
-from armui.ui.words.arm import ARM_PARTS, arm_kind, part_name
+from armui.ui.words.arm import ARM_PARTS, arm_kind
 from armui.ui.words.text import Text, Texts, joined, said, sentence
 
 _CYCLES: Final = Texts("FindingCycle") | {"later": "From cycle {cycle} on: {text}"}
@@ -64,5 +64,5 @@ def placed_finding(found: Finding) -> str:
 
 def _text(value: float | str) -> str:
     if isinstance(value, str):
-        return part_name(value)
+        return ARM_PARTS.word(value)
     return f"{round(value, 3):g}" if isinstance(value, float) else str(value)

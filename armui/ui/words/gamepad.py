@@ -8,11 +8,11 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from armui.gamepad.device_state import DeviceKind
-from armui.gamepad.layout import AxisSource, JogMode
+from armui.gamepad.layout import JogMode
 from armui.kinematics.axes import AXES
 from armui.ui.words.text import Texts, sentence
 
-_AXES: Final = Texts("GamepadAxis") | {
+GAMEPAD_AXES: Final = Texts("GamepadAxis") | {
     "left_x": "Left stick ↔",
     "left_y": "Left stick ↕",
     "right_x": "Right stick ↔",
@@ -52,7 +52,7 @@ _MODES: Final = Texts("GamepadMode") | {
     JogMode.TOOL: "Tool frame",
     JogMode.USER: "User frame",
 }
-_ACTIONS: Final = Texts("GamepadAction") | {
+GAMEPAD_ACTIONS: Final = Texts("GamepadAction") | {
     "dead_man": "Dead man (hold to move)",
     "stop": "Emergency stop",
     "halt": "Halt",
@@ -60,16 +60,6 @@ _ACTIONS: Final = Texts("GamepadAction") | {
     "episode": "Begin or end an episode",
     "discard": "Discard the last episode",
 }
-
-
-def gamepad_source(source: AxisSource) -> str:
-    """Return the name of the control that moves an axis of the arm."""
-    return _AXES.text(source.axis or source.plus)
-
-
-def gamepad_axis(name: str) -> str:
-    """Return the name of an axis of the device."""
-    return _AXES.text(name)
 
 
 def gamepad_button(kind: DeviceKind, name: str) -> str:
@@ -83,11 +73,6 @@ def gamepad_button(kind: DeviceKind, name: str) -> str:
 def gamepad_mode(mode: JogMode) -> str:
     """Return the name of the axes' mode."""
     return _MODES.text(mode)
-
-
-def gamepad_action(action: str) -> str:
-    """Return the name of a button's action."""
-    return _ACTIONS.text(action)
 
 
 def moved_axis(mode: JogMode, place: int) -> str:

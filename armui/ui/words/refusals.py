@@ -5,7 +5,8 @@ The sentences are declared where they are raised (`armui.arm.refusal`).
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
@@ -14,7 +15,7 @@ from armui.arm.refusal import Refusal
 from armui.control.safety.interlocks import ARM_FAULT
 from armui.setting_fields import DECLARED
 from armui.ui.words import arm
-from armui.ui.words.arm import other_mode
+from armui.ui.words.arm import ARM_PARTS, OTHER_MODES
 from armui.ui.words.parameters import full_name, value_text
 from armui.ui.words.settings import setting_label
 from armui.ui.words.text import NOT_KNOWN, Text, Texts, sentence, source_of
@@ -73,26 +74,32 @@ _PLACE_ONLY = QT_TRANSLATE_NOOP("FilePlace", "Line {line}, column {column}: {rea
 _LINE_ONLY = QT_TRANSLATE_NOOP("FilePlace", "Line {line}: {reason}")
 
 
+_IN_WORDS: Final[Mapping[str, tuple[type, Callable[[Any], str]]]] = {
+    "mode": (int, arm.control_mode),
+    "other_mode": (str, OTHER_MODES.text),
+    "status": (int, arm.arm_status),
+    "what": (str, _UNDER_WAY.word),
+    "figure": (str, arm.figure),
+    "operation": (str, arm.operation_title),
+    **dict.fromkeys(("part", "one", "other"), (str, ARM_PARTS.word)),
+}
+"""The figures of sentences that are codes or names: of which kind, and what says them."""
+
+
+def in_words(params: dict[str, object]) -> dict[str, object]:
+    """Return the figures of a sentence with codes and names in the operator's language."""
+    said = dict(params)
+    for name, (kind, say) in _IN_WORDS.items():
+        if isinstance(value := params.get(name), kind):
+            said[name] = say(value)
+    return said
+
+
 def refusal(reason: Refusal) -> str:
     """Return a reason against an action in the operator's language."""
-    params = _with_figures(reason.code, _with_units(dict(reason.params)))
-    if isinstance(mode := params.get("mode"), int):
-        params["mode"] = arm.control_mode(mode)
-    if isinstance(other := params.get("other_mode"), str):
-        params["other_mode"] = other_mode(other)
-    if isinstance(code := params.get("status"), int):
-        params["status"] = arm.arm_status(code)
-    if isinstance(what := params.get("what"), str):
-        params["what"] = under_way(what)
+    params = in_words(_with_figures(reason.code, _with_units(dict(reason.params))))
     if (field := params.get("field")) in DECLARED:
         params["field"] = setting_label(str(field)).text()
-    if isinstance(figure := params.get("figure"), str):
-        params["figure"] = arm.figure(figure)
-    if isinstance(operation := params.get("operation"), str):
-        params["operation"] = arm.operation_title(operation)
-    for name in ("part", "one", "other"):
-        if isinstance(part := params.get(name), str):
-            params[name] = arm.part_name(part)
     source = source_of(reason.reason)
     return sentence("Refusal", source, params) if source else _unexpected(reason)
 
@@ -107,11 +114,6 @@ def why_ended(reason: Refusal | None) -> str:
     if reason is not None and reason.reason == ARM_FAULT:
         return _REPORTED.text().format(status=arm.arm_status(int(reason.params["status"])))
     return why_not(reason)
-
-
-def under_way(what: str) -> str:
-    """Return the action of the arm for which the program waits."""
-    return _UNDER_WAY.word(what)
 
 
 def _unexpected(reason: Refusal) -> str:

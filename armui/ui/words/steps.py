@@ -6,10 +6,9 @@ from typing import Final
 
 from armui.arm.refusal import Refusal
 from armui.control.safety.recovery_steps import ARM_FAULTS, Action, Step
-from armui.ui.words import arm
-from armui.ui.words.arm import held_target, other_mode
+from armui.ui.words.arm import held_target
 from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
-from armui.ui.words.refusals import refusal, under_way
+from armui.ui.words.refusals import in_words, refusal
 from armui.ui.words.text import Text, joined, said, sentence
 
 _STREAM: Final = Text("RecoveryStep", "{frames}, {rate} frames/s")
@@ -36,22 +35,15 @@ def step_texts(this: Step) -> tuple[str, ...]:
 def _obstacle(this: Step) -> tuple[str, ...]:
     """Return the obstacle and the remedy, in full and shorter, after the last attempt's result."""
     params: dict[str, object] = dict(this.params)
-    if isinstance(mode := params.get("mode"), int):
-        params["mode"] = arm.control_mode(mode)
+    if isinstance(code := params.get("status"), int):
+        params["status"] = f"0x{code:02X}"
+    params = in_words(params)
     if params.get("rate"):  # of single frames, or of many sorts of them, there is none to tell
         params["frames"] = _STREAM.text().format(**params)
     if "target" in params:
         params["target"] = held_target(params["target"])
-    if isinstance(other := params.get("other_mode"), str):
-        params["other_mode"] = other_mode(other)
-    if isinstance(code := params.get("status"), int):
-        params["status"] = f"0x{code:02X}"
-    if isinstance(what := params.get("what"), str):
-        params["what"] = under_way(what)
     if isinstance(reason := params.get("reason"), Refusal):
         params["reason"] = refusal(reason)
-    if isinstance(part := params.get("part"), str):
-        params["part"] = arm.part_name(part)
     told = this.kind.value
     source = told.source if this.joints else told.somewhere or told.source
     text, *shorter = (

@@ -20,7 +20,7 @@ from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
 from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
-from armui.ui.words.arm import part_name
+from armui.ui.words.arm import ARM_PARTS
 from armui.ui.words.text import Text
 from armui.viewport.robot_shape import pose_rows
 
@@ -198,7 +198,7 @@ class AreaTab(NamedTab):
         text, seen = "", self._controller.area_guard.look(state)
         if seen:
             text = self.tr("Nearest: {part}, {value} mm from “{name}”").format(
-                part=part_name(seen[0].part),
+                part=ARM_PARTS.word(seen[0].part),
                 name=seen[0].zone.name,
                 value=fmt.number(seen[0].gap_mm, 0),
             )

@@ -15,7 +15,6 @@ from armui.control.cell.cell_control import CellControl, why_not_change
 from armui.control.devices.end_reports import EndReports
 from armui.protocol.codes import EndLoad
 from armui.ui import format as fmt
-from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, figures
@@ -23,6 +22,7 @@ from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
 from armui.ui.widgets.buttons import drop_down, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.arm import END_LOADS
 from armui.ui.words.text import Text
 
 
@@ -102,7 +102,7 @@ class HeldTab(NamedTab):
 
     @load.text
     def _load_text(self) -> str:
-        return self.tr("Tell: {load}").format(load=words.end_load(self._load_of))
+        return self.tr("Tell: {load}").format(load=END_LOADS.text(self._load_of))
 
     @hold.pressed
     def _on_hold(self) -> None:

@@ -35,6 +35,7 @@ from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, 
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import empty_grid, fill, in_column, scrolled
 from armui.ui.widgets.text_label import ValueLabel, text_label
+from armui.ui.words.arm import END_LOADS, MOUNTINGS
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
@@ -155,7 +156,7 @@ class MountingCard(HasActs, QFrame):
 
     def question(self) -> tuple[str, str]:
         """Return title and text of the question before it is sent."""
-        how = "" if self.chosen is None else words.mounting(self.chosen)
+        how = "" if self.chosen is None else MOUNTINGS.text(self.chosen)
         return (
             self.tr("Tell the arm its mounting: {mounting}").format(mounting=how),
             self.tr(
@@ -174,7 +175,7 @@ class MountingCard(HasActs, QFrame):
         for mounting in _CHOICES:
             button = self._choices.button(int(mounting))
             why_not = control.why_not_by_firmware(mounting)
-            enable_or_explain(button, words.why_not(why_not), words.mounting(mounting))
+            enable_or_explain(button, words.why_not(why_not), MOUNTINGS.text(mounting))
         self.show_acts()
 
     @send.pressed
@@ -204,7 +205,7 @@ class MountingCard(HasActs, QFrame):
         text = self.tr("Mounting: not set from here yet")
         if told is not None:
             text = self.tr("Mounting, as last set from here: {mounting}")
-            text = text.format(mounting=words.mounting(told))
+            text = text.format(mounting=MOUNTINGS.text(told))
         if cell is not None and cell.placement.is_set:
             text = f"{text}\n{words.mounting_check(cell.placement.mounting, told)}".rstrip()
         elif told not in {None, Mounting.LEVEL}:
@@ -220,7 +221,7 @@ class MountingCard(HasActs, QFrame):
         self._heading.setText(self.tr("Mounting of the arm"))
         for mounting in _CHOICES:
             button = self._choices.button(int(mounting))
-            caption(button, words.mounting(mounting), whose=self._heading.text())
+            caption(button, MOUNTINGS.text(mounting), whose=self._heading.text())
         self._note.setText(
             self.tr(
                 "The arm does not answer this and cannot be asked for it: another program, or "
@@ -402,7 +403,7 @@ class EndLoadPanel(Panel):
         self._title.setText(self.tr("End load"))
         for load in _LOADS:
             button = self._loads.button(int(load))
-            caption(button, words.end_load(load), whose=self._title.text())
+            caption(button, END_LOADS.text(load), whose=self._title.text())
         self._note.setText(
             self.tr("The arm acknowledges this setting, but cannot be asked for it afterwards.")
         )
