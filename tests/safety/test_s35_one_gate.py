@@ -12,7 +12,7 @@ from armui.arm.refusal import Refusal
 from armui.bus.outbox import Outbox, UnpassedMotionError
 from armui.cell.cell import Cell
 from armui.cell.work_area import Area, AreaBox
-from armui.control.context import REFUSED
+from armui.control.context import COMMAND_OVER, REFUSED
 from armui.control.motion.jog_path import JointJog
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import Run, RunPhase
@@ -34,6 +34,7 @@ from tests.safety.test_s12_speed_override import even_turn
 HERE = (0.0, 40.0, -40.0, 0.0, 20.0, 0.0)
 THERE = (60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
 BACK = (-60.0, 40.0, -40.0, 0.0, 20.0, 0.0)
+POSE = (300.0, 0.0, 300.0, 0.0, 90.0, 0.0)
 RUN = Run("run", [Waypoint(MoveMode.MOVE_J, THERE)], [2.0])
 FAR_BOX = AreaBox("far", (2000.0, 0.0, 0.0, 0.0, 0.0, 0.0), (50.0, 50.0, 50.0))
 
@@ -338,6 +339,41 @@ def test_what_is_paused_while_its_way_is_checked_sends_nothing_before_it_goes_on
     rig.run(0.1)
     assert 0x155 in ids(rig)
     assert run.progress.phase is RunPhase.MOVING
+
+
+def test_a_press_that_is_refused_beside_a_run_takes_nothing_of_it(slow):
+    rig, thread = slow
+    presses = (
+        rig.controller.motion.go_home,
+        lambda: rig.controller.motion.send_joints(BACK),
+        lambda: rig.controller.jogging.start(JointJog(1, 1)),
+        lambda: rig.controller.cartesian.move(POSE, MoveMode.MOVE_P),
+        lambda: rig.controller.teaching.command(TeachingState.START_RECORDING),
+    )
+    controller = rig.controller
+    for run, content in ((controller.player, RUN), (controller.replayer, Replay(even_turn()))):
+        accepted(run.start(content))
+        for press in presses:
+            assert isinstance(press(), Refusal)
+        thread.work()
+        rig.run(0.2)
+        assert rig.firmware.mechanics.moving
+        rig.controller.halt_and_hold()
+        rig.run(1.0)
+
+
+def test_a_run_is_told_that_what_it_waits_for_is_void(slow):
+    rig, thread = slow
+    controller = rig.controller
+    runs = ((controller.player, RUN), (controller.replayer, Replay(even_turn())))
+    for length_mm, (run, content) in enumerate(runs, start=50):
+        accepted(run.start(content))
+        controller.cell.use_own_tool((0.0, 0.0, length_mm, 0.0, 0.0, 0.0))
+        rig.run(0.1)
+        assert run.progress.refusal == COMMAND_OVER()
+    thread.work()
+    rig.run(0.2)
+    assert not set(ids(rig)) & {0x155, 0x156, 0x157}
 
 
 def test_drag_teaching_voids_what_is_still_checked(slow):

@@ -44,7 +44,7 @@ from armui.control.motion.jog_path import (
 from armui.control.motion.jog_stream import JOG_NOT_FOLLOWING, JogStream
 from armui.control.motion.joint_motion import why_not_move
 from armui.control.motion.motion_command import CommandKind, MotionCommand
-from armui.control.motion.motion_context import MotionContext
+from armui.control.motion.motion_context import MotionContext, drop_waiting
 from armui.control.motion.steered_path import SteeredJog, SteeredToolPath
 from armui.control.motion.target_stream import TargetJog, TargetStream, stream_pace
 from armui.control.operations.operation import Consent, operation
@@ -198,7 +198,7 @@ class Jogging(ControllerPart):
     def _end_last(self) -> None:
         """End the jog under way, and drop what waits: a press means something else."""
         self.stop()
-        self._context.gate().halt()
+        drop_waiting(self)
 
     @operation("jog.begin", "Jog", why_not_move, moves=True, consent=Consent.HELD, first=_end_last)
     def start(self, started: Started, jog: Jog) -> Refusal | None:

@@ -51,4 +51,4 @@ class MovingPart(Protocol):
 
 def drop_waiting(part: MovingPart) -> None:
     """Drop the motion that waits: a press of another one voids it, even one that is refused."""
-    part._context.gate().halt()  # noqa: SLF001 - as an operation does
+    part._context.gate().drop_single()  # noqa: SLF001 - as an operation does

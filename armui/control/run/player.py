@@ -404,6 +404,8 @@ class Player(Execution):
 
     def _refused(self, refusal: Refusal) -> None:
         """End the run; where angles only come late, the point is sent once they are fresh."""
+        if self._phase is not RunPhase.MOVING:
+            return  # it has been ended already
         self._owed = refusal.reason == FEEDBACK_SILENT
         if not self._owed or self._context.clock() - self._due_s > _UNKNOWN_FOR_S:
             self._fail(refusal)

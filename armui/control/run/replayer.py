@@ -274,6 +274,8 @@ class Replayer(Execution):
         return self._send_off(replay)
 
     def _on_refused(self, refusal: Refusal) -> None:
+        if self._phase is not RunPhase.MOVING:
+            return  # it has been ended already
         left = self._more_slowly(refusal)
         if left is not None:
             self._fail(left)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Final
 from armui.arm.limits import may_lie
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
-from armui.control.context import REFUSED, Context, ControllerPart
+from armui.control.context import COMMAND_OVER, REFUSED, Context, ControllerPart
 from armui.control.events import Notice
 from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations
@@ -458,6 +458,9 @@ class Gate(ControllerPart):
         now_s = context.clock()
         # Another command, a stop or a cancel has come since the press: what waited is void (S10).
         if context.authority.revision != pending.revision:
+            if request.refused is not None:  # a run would wait for it for ever
+                self._pending = None
+                return COMMAND_OVER()
             self._drop(Ending.CUT_OFF)
             return None
         refusal = request.why_not(context.operating_state()) or context.why_no_motion()
@@ -525,6 +528,15 @@ class Gate(ControllerPart):
     def drop_of(self, records: Container[Started]) -> None:
         """Drop what waits if it carries out one of these operations."""
         if self._pending is not None and self._pending.request.started in records:
+            self._drop(Ending.CUT_OFF)
+
+    def drop_single(self) -> None:
+        """Drop the motion that waits by a press of its own; a run goes on with what waits of it.
+
+        Another press voids the last one, even if it is refused. Beside a run it always is, and the
+        run would wait for ever for what is dropped here.
+        """
+        if self._pending is not None and self._pending.request.kind is not CommandKind.RUN:
             self._drop(Ending.CUT_OFF)
 
     def halt(self) -> None:
