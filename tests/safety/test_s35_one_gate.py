@@ -388,6 +388,21 @@ def test_drag_teaching_voids_what_is_still_checked(slow):
     assert waits.ending is Ending.CUT_OFF
 
 
+def test_a_replay_waits_for_its_check_as_long_as_any_motion(slow):
+    rig, thread = slow
+    replayer = rig.controller.replayer
+    accepted(replayer.start(Replay(even_turn())))
+    rig.run(0.8)
+    thread.work()
+    rig.run(0.2)
+    assert rig.firmware.mechanics.moving
+    replayer.stop()
+    rig.run(1.0)
+    accepted(replayer.start(Replay(even_turn())))
+    rig.run(1.1)
+    assert replayer.progress.refusal == NOT_IN_TIME()
+
+
 def test_an_answer_a_second_late_counts_no_more(slow):
     rig, thread = slow
     started = accepted(rig.controller.motion.send_joints(THERE))

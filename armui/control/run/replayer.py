@@ -360,7 +360,8 @@ class Replayer(Execution):
 
     def _why_late(self) -> Refusal | None:
         """Return why a stream of targets does not go on after a long pause of the program."""
-        if self._phase is not RunPhase.MOVING or self._watch is not None:
+        streams = self._watch is None and self._passed is not None  # or the gate still checks it
+        if self._phase is not RunPhase.MOVING or not streams:
             return None
         gap_s = self._context.clock() - self._since_s
         if gap_s < _LONGEST_GAP_S:
