@@ -207,6 +207,11 @@ class Authority:
         return self._cancelled_s is not None
 
     @property
+    def is_braking(self) -> bool:
+        """True if the arm comes to rest at a cancel: no motion is left that could be held back."""
+        return self.is_ending and not self.cancel_unheeded
+
+    @property
     def mover(self) -> Mover:
         """The party that moves the arm now."""
         seen = self._seen
@@ -456,7 +461,7 @@ class Authority:
                     self._slow_down(percent, seen.now_s)
                 self.command = replace(command, speed_percent=percent)
                 self._overspeed.change_speed()
-        elif seen is not None and (self.under_way or self.moves):
+        elif seen is not None and (self.under_way or self.moves) and not self.is_braking:
             self._hold(Hold.SPEED_ZERO, seen.now_s)
             self._zero_since_s = seen.now_s
 

@@ -4,6 +4,7 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.control.motion.motion_command import Hold
+from armui.control.motion.planned_motion import ENDS_ALREADY
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Action, StepKind
 from armui.protocol.codes import MotionState, Mounting, TrajectoryCommand
@@ -38,6 +39,30 @@ def test_it_is_shown_and_counts_as_moving(held):
     assert held.controller.recovery.step.kind in {StepKind.PAUSED, StepKind.HELD_AT_ZERO}
     assert held.controller.recovery.step.held
     assert held.controller.recovery.step.alternative is Action.GIVE_UP
+
+
+@pytest.mark.parametrize("ended_by", ["halt", "another motion"])
+@pytest.mark.parametrize("press", ["speed", "pause"])
+def test_nothing_is_held_back_of_a_motion_that_brakes_at_its_end(rig, press, ended_by):
+    controller = rig.controller
+    rig.ready()
+    accepted(controller.motion.send_joints(FAR))
+    rig.run(0.6)
+    if ended_by == "halt":
+        assert controller.halt_and_hold() is None
+    else:
+        accepted(controller.motion.send_joints((0.0,) * 6))
+    if press == "speed":
+        accepted(controller.motion.set_speed_percent(0))
+    else:
+        assert controller.planned_motion.command(TrajectoryCommand.PAUSE) == ENDS_ALREADY()
+    rig.run(1.5)
+    assert not controller.operating_state.holds
+    accepted(controller.motion.set_speed_percent(30))
+    assert not controller.operating_state.moving
+    accepted(controller.motion.send_joints(FAR))
+    rig.run(0.4)
+    assert rig.firmware.mechanics.moving
 
 
 @pytest.mark.each_value(full="each motion held back, in both generations")

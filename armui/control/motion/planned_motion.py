@@ -10,7 +10,7 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST
 from armui.control.motion.abort import clearing_frames
 from armui.control.motion.motion_command import Hold
-from armui.control.motion.motion_context import MotionContext
+from armui.control.motion.motion_context import MotionContext, drop_waiting
 from armui.control.motion.retransmission import Retransmission
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
 NOT_MOVING = Reason("not_moving", "The arm is not moving: there is nothing to pause.")
+ENDS_ALREADY = Reason(
+    "ends_already", "The arm was told to end its motion and brakes: there is nothing left to pause."
+)
 NOTHING_HELD = Reason("nothing_held", "No motion is held back.")
 PLAN_SENT = Notice(
     "plan_sent",
@@ -122,6 +125,7 @@ class PlannedMotion(ControllerPart):
         "Pause, continue, clear or end a planned motion",
         why_not_plan,
         moves=True,
+        first=drop_waiting,
     )
     def command(self, started: Started, command: TrajectoryCommand) -> Refusal | None:
         """Give a command of 0x150 byte 1.
@@ -148,6 +152,8 @@ class PlannedMotion(ControllerPart):
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:
         authority, connection = self._context.authority, self._context.connection
         if command is TrajectoryCommand.PAUSE:
+            if authority.is_braking:
+                return ENDS_ALREADY()
             return None if self._pause.send() else LINK_LOST()
         self._pause.drop()
         if command is not TrajectoryCommand.CONTINUE:
