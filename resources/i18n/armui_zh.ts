@@ -12380,10 +12380,6 @@ The other program must have ended.</source>
         <translation>程序停顿了 {value} 毫秒，目标流因此结束。发送下一个目标即开始新的目标流。</translation>
     </message>
     <message>
-        <source>The arm was told to end its motion and brakes: there is nothing left to pause.</source>
-        <translation>已令机械臂结束运动，正在制动：没有可暂停的运动。</translation>
-    </message>
-    <message>
         <source>To this pose joint {joint} would turn by {value}°, more than {maximum}° at once: the arm would change its posture. Send poses nearer to one another.</source>
         <translation>到此位姿关节 {joint} 需一次转动 {value}°，超过 {maximum}°：机械臂会改变构型。请发送彼此更接近的位姿。</translation>
     </message>

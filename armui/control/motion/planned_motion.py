@@ -27,9 +27,6 @@ if TYPE_CHECKING:
     from armui.protocol.frame import Frame
 
 NOT_MOVING = Reason("not_moving", "The arm is not moving: there is nothing to pause.")
-ENDS_ALREADY = Reason(
-    "ends_already", "The arm was told to end its motion and brakes: there is nothing left to pause."
-)
 NOTHING_HELD = Reason("nothing_held", "No motion is held back.")
 PLAN_SENT = Notice(
     "plan_sent",
@@ -134,6 +131,9 @@ class PlannedMotion(ControllerPart):
             EncodeError: The command belongs to the transfer of points.
         """
         context = self._context
+        if command is TrajectoryCommand.PAUSE and context.authority.is_braking:
+            # nothing is left that could be held back: the arm is told once more to end
+            command = TrajectoryCommand.ABORT
         frames = commands.trajectory_command(context.connection.codec, command)
         if command in _ENDS:
             self._end_all()
@@ -152,8 +152,6 @@ class PlannedMotion(ControllerPart):
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:
         authority, connection = self._context.authority, self._context.connection
         if command is TrajectoryCommand.PAUSE:
-            if authority.is_braking:
-                return ENDS_ALREADY()
             return None if self._pause.send() else LINK_LOST()
         self._pause.drop()
         if command is not TrajectoryCommand.CONTINUE:
