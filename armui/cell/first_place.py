@@ -204,6 +204,7 @@ def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: 
     return place
 
 
+@dataclass(eq=False, repr=False)
 class PlaceSearch:
     """Searches ways for the first place at which something that moves is too near to an obstacle.
 
@@ -214,16 +215,12 @@ class PlaceSearch:
             obstacles that are `Facing`.
     """
 
-    def __init__(
-        self,
-        moving: MovedCapsules,
-        obstacles: Supports,
-        coarse: tuple[MovedCapsules, Whole, Facing] | None = None,
-    ) -> None:
-        self._moving = moving
-        self._obstacles = obstacles
-        self._coarse = coarse
-        self._furthest_mm = moving.reaches_mm.max(axis=(0, 1), initial=0.0)
+    _moving: MovedCapsules
+    _obstacles: Supports
+    _coarse: tuple[MovedCapsules, Whole, Facing] | None = None
+
+    def __post_init__(self) -> None:
+        self._furthest_mm = self._moving.reaches_mm.max(axis=(0, 1), initial=0.0)
 
     def first(
         self, way_deg: npt.ArrayLike, least_mm: Array, spread_deg: npt.ArrayLike | None = None

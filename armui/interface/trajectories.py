@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
@@ -80,6 +80,7 @@ class ClientRunner(Runner):
         return begun
 
 
+@dataclass(eq=False, repr=False)
 class Trajectories:
     """Answers what clients ask of the library.
 
@@ -91,22 +92,16 @@ class Trajectories:
         clock: Monotonic time in seconds.
     """
 
-    def __init__(
-        self,
-        controller: ArmController,
-        works: Works,
-        library: Library,
-        runner: ClientRunner,
-        clock: Callable[[], float],
-    ) -> None:
-        self._controller = controller
-        self._works = works
-        self._library = library
-        self.runner = runner
-        self._clock = clock
-        self._checks = Checks(controller, works)
+    _controller: ArmController
+    _works: Works
+    _library: Library
+    runner: ClientRunner
+    _clock: Callable[[], float]
+    _checked_for: set[int] = field(default_factory=set, init=False)
+
+    def __post_init__(self) -> None:
+        self._checks = Checks(self._controller, self._works)
         self._checks.get_ready()
-        self._checked_for: set[int] = set()
 
     def ask(self, method: str, client: int, then: Then, **params: Any) -> None:
         """Answer a call; see the declarations of :mod:`armui.interface.methods`.

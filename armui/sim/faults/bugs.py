@@ -6,6 +6,7 @@ The reports tell the effect, seldom the cause; the moment at which each bug show
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.limits import JOINTS
@@ -61,60 +62,49 @@ _BAD_DEG: Final = -0.1
 _TOLD_ZERO: Final = ("JointFeedback", "EndPose", "DriverFast")
 
 
+@dataclass(eq=False, repr=False)
 class FirmwareBugs:
     """The bugs that one arm has.
 
     Attributes:
         present: The bugs.
+        mechanics: The arm's joints and motors.
+        condition: Its modes, flags and faults.
+        settings: The values it keeps.
+        applier: Moves its zeros, and finds the joints' places.
+        lost: The fault by which a joint loses its reference.
+        lead: Gives it another role.
+        corrupt_limits: Makes the limits of a joint (1–6) read back as from a worn flash.
         silent: True if the arm sends nothing because of a bug.
     """
 
-    def __init__(
-        self,
-        present: frozenset[FirmwareBug],
-        mechanics: Mechanics,
-        condition: Condition,
-        settings: ArmSettingsRecord,
-        applier: SettingsApplier,
-        *,
-        lost: LostReference,
-        lead: Callable[[LinkageSettings], None],
-        corrupt_limits: Callable[[int], None],
-    ) -> None:
-        """Gives an arm its bugs.
+    present: frozenset[FirmwareBug]
+    mechanics: Mechanics
+    condition: Condition
+    settings: ArmSettingsRecord
+    applier: SettingsApplier
+    lost: LostReference
+    lead: Callable[[LinkageSettings], None]
+    corrupt_limits: Callable[[int], None]
+    silent: bool = field(default=False, init=False)
+    _powered_s: float = field(default=0.0, init=False)
+    _on_s: float = field(default=0.0, init=False)
+    _handle_set: bool = field(default=False, init=False)
 
-        Args:
-            present: The bugs.
-            mechanics: The arm's joints and motors.
-            condition: Its modes, flags and faults.
-            settings: The values it keeps.
-            applier: Moves its zeros, and finds the joints' places.
-            lost: The fault by which a joint loses its reference.
-            lead: Gives it another role.
-            corrupt_limits: Makes the limits of a joint (1–6) read back as from a worn flash.
-        """
-        self.present = present
-        self.silent = False
-        self._mechanics, self._condition = mechanics, condition
-        self._settings, self._applier, self._lost = settings, applier, lost
-        self._corrupt_limits = corrupt_limits
-        self._lead = lead
-        self._powered_s = 0.0
-        self._on_s = 0.0
-        self._handle_set = False
-        if FirmwareBug.CORRUPTED_LIMITS in present:
+    def __post_init__(self) -> None:
+        if FirmwareBug.CORRUPTED_LIMITS in self.present:
             self._corrupt()
 
     def switched_on(self) -> None:
         """Starts again after a power cycle."""
         self.silent = self._handle_set = False
         self._on_s = self._powered_s = 0.0
-        self._applier.find_place(but=self._lost.joints)
+        self.applier.find_place(but=self.lost.joints)
 
     def reset(self) -> None:
         """Clears what 0x150 resume repairs: a joint that had lost its position reports it again."""
         self._powered_s = 0.0
-        self._applier.find_place()
+        self.applier.find_place()
 
     def setting_taken(self, name: str) -> None:
         """Handles a setting: 0x47D repairs what the teaching handle's level had broken."""
@@ -125,24 +115,24 @@ class FirmwareBugs:
         if not self.present:
             return
         self._on_s += dt_s
-        self._powered_s = self._powered_s + dt_s if all(self._mechanics.powered) else 0.0
+        self._powered_s = self._powered_s + dt_s if all(self.mechanics.powered) else 0.0
         if FirmwareBug.FEEDBACK_PARTS in self.present and self._powered_s > _SLIPS_AFTER_S:
-            self._applier.slip(_SLIPPING, -_SLIP_DEG_S * dt_s, most_deg=_MOST_SLIP_DEG)
-        role = self._settings.linkage.role
+            self.applier.slip(_SLIPPING, -_SLIP_DEG_S * dt_s, most_deg=_MOST_SLIP_DEG)
+        role = self.settings.linkage.role
         if (
             FirmwareBug.FALLS_BACK_TO_LEADER in self.present
             and self._on_s > _LEADS_AFTER_S
             and role is not LinkageRole.TEACHING_INPUT
         ):
             self._on_s = 0.0
-            self._lead(self._settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
+            self.lead(self.settings.linkage._replace(role=LinkageRole.TEACHING_INPUT))
 
     def mode_word(self, *, was_direct: bool) -> None:
         """Handles a mode word that the arm has accepted."""
-        condition = self._condition
+        condition = self.condition
         if FirmwareBug.MIT_MOVES_ZERO in self.present and was_direct and not condition.direct:
             condition.needs_reset = True
-            self._applier.move_zero(0, _ZERO_MOVES_DEG)
+            self.applier.move_zero(0, _ZERO_MOVES_DEG)
 
     def role_set(self, role: LinkageRole) -> None:
         """Handles a 0x470."""
@@ -160,6 +150,6 @@ class FirmwareBugs:
 
     def _corrupt(self) -> None:
         for joint in JOINTS:
-            self._corrupt_limits(joint)
-        limits = self._settings.limits
+            self.corrupt_limits(joint)
+        limits = self.settings.limits
         limits[:] = [each._replace(min_deg=_BAD_DEG, max_deg=_BAD_DEG) for each in limits]

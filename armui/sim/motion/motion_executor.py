@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Final
 
 from armui.arm.limits import JOINTS, check_joint
@@ -208,29 +209,25 @@ class MotionExecutor:
         )
 
 
+@dataclass(eq=False, repr=False)
 class JointMoves:
     """Collects the three frames of a joint target and has it carried out.
 
     A complete target waits until the arm is in CAN control and MOVE J; then it starts at once and
     replaces the one before. Nothing is kept for an arm that cannot move, so neither enabling its
-    motors nor ending a stop ever sets it in motion.
+    motors nor ending a stop ever sets it in motion. Targets that are not planned (high-follow) are
+    passed on.
     """
 
-    def __init__(
-        self,
-        executor: MotionExecutor,
-        condition: Condition,
-        settings: ArmSettingsRecord,
-        follow: Callable[[SixValues], None],
-    ) -> None:
-        """Moves one arm; `follow` takes the targets that are not planned (high-follow)."""
-        self._executor = executor
-        self._condition = condition
-        self._settings = settings
-        self._follow = follow
-        self._staged = list(executor.targets_deg)
-        self._fresh: set[frozenset[int]] = set()
-        self._waiting: SixValues | None = None
+    _executor: MotionExecutor
+    _condition: Condition
+    _settings: ArmSettingsRecord
+    _follow: Callable[[SixValues], None]
+    _fresh: set[frozenset[int]] = field(default_factory=set, init=False)
+    _waiting: SixValues | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        self._staged = list(self._executor.targets_deg)
 
     def take_angles(self, angles_deg: Mapping[int, float]) -> None:
         """Receives one frame of a target: angles by joint number."""
