@@ -210,7 +210,7 @@ class Interface(QObject):
     def switch(self, *, on: bool) -> None:
         """Serve the socket, or close it and end every lease."""
         if not on:
-            self._close()
+            self.end()
         elif self._server is None:
             self._problem = self._open()
         self._show()
@@ -250,7 +250,8 @@ class Interface(QObject):
             )
         self._show()
 
-    def _close(self) -> bool:
+    def end(self) -> bool:
+        """Close the socket and end every lease; return whether the server's thread has ended."""
         server, self._server = self._server, None
         self._problem, self._serves = None, False
         self._timer.stop()
@@ -258,10 +259,6 @@ class Interface(QObject):
         self._give_up_asking(LEASE_PROGRAM_ENDS())
         self._followed.clear()
         return server is None or server.stop()
-
-    def end(self) -> bool:
-        """Close it at the program's end; return whether its thread has ended."""
-        return self._close()
 
     def grant(self, max_speed_percent: int, *, for_session: bool = False) -> None:
         """Grant the arm to who asks for it; the operator has held the button."""

@@ -255,16 +255,13 @@ class LogPlayer:
                 next(iter(self._series.values())).telemetry.adopt(history.telemetry)
                 self.curves_from_s = history.begin_s
 
-    def _fill_series(self, pieces: list[FrameColumns]) -> None:
+    def settle(self) -> None:
+        """Add the frames that were played fast to the curves."""
+        pieces, self._waiting = self._waiting, []
         if pieces:
             frames = joined(pieces)
             for listener in self._series.values():
                 listener.add_frames(frames)
-
-    def settle(self) -> None:
-        """Add the frames that were played fast to the curves."""
-        pieces, self._waiting = self._waiting, []
-        self._fill_series(pieces)
         self._settled_s = time.monotonic()
 
     # Playing ----------------------------------------------------------------------------------

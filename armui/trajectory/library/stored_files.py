@@ -148,8 +148,7 @@ class FileStore:
 
     def mark(self, kept: StoredFile, entry: IndexEntry) -> None:
         """Store a new entry for a file, valid only if the file is as it was at the scan."""
-        self._index.put(self._key(kept.path), kept.stamp, entry)
-        self._index.save()
+        self.mark_all([(kept, entry)])
 
     def mark_all(self, marked: Iterable[tuple[StoredFile, IndexEntry]]) -> None:
         """Take over what was found out about files, as `mark`; written once."""

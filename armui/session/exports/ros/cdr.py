@@ -37,11 +37,9 @@ class CdrWriter:
         """The message so far."""
         return bytes(self._bytes)
 
-    def _align(self, size: int) -> None:
-        self._bytes.extend(bytes(-(len(self._bytes) - len(_HEADER)) % size))
-
     def _put(self, kind: str, *values: float, name: str = "") -> None:
-        self._align(struct.calcsize(kind))
+        past_header = len(self._bytes) - len(_HEADER)
+        self._bytes.extend(bytes(-past_header % struct.calcsize(kind)))  # aligned
         if name:
             self.places[name] = len(self._bytes)
         self._bytes.extend(struct.pack(f"<{len(values)}{kind}", *values))
