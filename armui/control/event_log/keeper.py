@@ -48,8 +48,7 @@ class EventKeeper(QObject):
         self._writing: tuple[Future[None], int] | None = None
         self._failing = False
         self._waits = self._silent = 0
-        self._timer = QTimer(self)
-        self._timer.setInterval(_EVERY_MS)
+        self._timer = QTimer(self, interval=_EVERY_MS)
         self._timer.timeout.connect(self.keep)
         self._timer.start()
 

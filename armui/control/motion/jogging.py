@@ -167,9 +167,7 @@ class Jogging(ControllerPart):
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._hold: _Hold | None = None
-        self._timer = QTimer()
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(_TICK_MS)
+        self._timer = QTimer(interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
     @property

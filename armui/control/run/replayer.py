@@ -111,9 +111,7 @@ class Replayer(Execution):
         self._gripper_mm: float | None = None
         self._most_percent = FULL_PERCENT
         self._too_fast: Refusal | None = None
-        self._timer = QTimer(self)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(PERIOD_MS)
+        self._timer = QTimer(self, interval=PERIOD_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.follow_arm)
 
     # What the operator wants ------------------------------------------------------------------
