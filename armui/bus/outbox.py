@@ -139,17 +139,15 @@ class Outbox:
             threaded: True if a sending thread serves the bus. A stop then goes through that thread
                 unless the back-end is known to return in time: a driver may block for seconds.
         """
-        with self._changed:
-            self._drop_waiting()
-            self._urgent.clear()
-            self._failing_since_s = None
-            self._port = _Port(bus, direct=not threaded or obeys_its_timeout(bus))
-            self._changed.notify_all()
+        self._use(_Port(bus, direct=not threaded or obeys_its_timeout(bus)))
 
     def detach(self) -> None:
         """Send nothing any more, and drop all frames that wait."""
+        self._use(None)
+
+    def _use(self, port: _Port | None) -> None:
         with self._changed:
-            self._port = None
+            self._port = port
             self._drop_waiting()
             self._urgent.clear()
             self._failing_since_s = None

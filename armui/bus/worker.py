@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import logging
 import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from typing import Final
 
 import can
@@ -310,11 +310,9 @@ def opener_after(before: Sequence[threading.Event], opener: Opener) -> Opener:
         opener: The function that opens it.
     """
 
-    @contextmanager
-    def open_device(device: Device) -> Iterator[can.BusABC]:
+    def open_device(device: Device) -> AbstractContextManager[can.BusABC]:
         for released in before:
             released.wait()
-        with opener(device) as bus:
-            yield bus
+        return opener(device)
 
     return open_device if before else opener

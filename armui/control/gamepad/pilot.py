@@ -270,9 +270,7 @@ class GamepadPilot(QObject):
         key = self._holder
         hand = self._hands.get(key) if key is not None else None
         if key is None or hand is None or hand.hold.phase is not HoldPhase.MOVING:
-            if self._driving:
-                self._driving = False
-                self._stop_ours()
+            self._stop_ours()
             return
         frame: MotionFrame | None = _FRAMES.get(self._mode)
         if self._mode is JogMode.USER:  # without one in force the jog is refused
@@ -306,22 +304,19 @@ class GamepadPilot(QObject):
         for hand in self._hands.values():
             hand.spend()
         self._reason = reason
-        if self._driving:
+        if self._driving and reason is not None and self._jogging.steered is not None:
             self._driving = False
-            if reason is not None and self._jogging.steered is not None:
-                self._jogging.end_jog(reason)
-            else:
-                self._stop_ours()
+            self._jogging.end_jog(reason)
+        self._stop_ours()
 
     def _let_go(self) -> None:
         self._holder, self._reason = None, None
-        if self._driving:
-            self._driving = False
-            self._stop_ours()
+        self._stop_ours()
 
     def _stop_ours(self) -> None:
         """End the jog that a device steers; what a button on the screen holds goes on."""
-        if self._jogging.steered is not None:
+        driving, self._driving = self._driving, False
+        if driving and self._jogging.steered is not None:
             self._jogging.stop()
 
     # Buttons ----------------------------------------------------------------------------------
