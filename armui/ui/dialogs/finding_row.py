@@ -16,6 +16,7 @@ from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_row
 from armui.ui.widgets.text_label import text_label
+from armui.ui.words.text import Texts
 
 _ICON_PX: Final = 18
 _GAP_PX: Final = 10
@@ -25,6 +26,14 @@ WORDS: Final = Words(QCoreApplication.translate)
 
 
 _KBIT: Final = {"1000000": "1 Mbit/s", "500000": "500 kbit/s"}
+_REMEDIES: Final = Texts("FindingRow") | {
+    "up": "Switch on: {bitrate}",
+    "reset": "Bring back to the bus",
+    "down": "Switch off",
+    "forget": "Forget…",
+    "open": "Let me open it…",
+    "remember": "Name and always at start: {channel}…",
+}
 
 Remedy = tuple[str, ...]
 """A verb of the adapter's helper with its arguments, as in a finding."""
@@ -43,19 +52,9 @@ class SetsUpAdapters(Protocol):
 def remedy_label(remedy: Remedy) -> str:
     """Return the text of a remedy's button."""
     verb, subject, *rest = remedy
-    if verb == "up":
-        said = QCoreApplication.translate("FindingRow", "Switch on: {bitrate}")
-        return said.format(bitrate=_KBIT.get(rest[0], rest[0]))
-    if verb == "reset":
-        return QCoreApplication.translate("FindingRow", "Bring back to the bus")
-    if verb == "down":
-        return QCoreApplication.translate("FindingRow", "Switch off")
-    if verb == "forget":
-        return QCoreApplication.translate("FindingRow", "Forget…")
-    if not rest:
-        return QCoreApplication.translate("FindingRow", "Let me open it…")
-    said = QCoreApplication.translate("FindingRow", "Name and always at start: {channel}…")
-    return said.format(channel=subject)
+    bitrate = rest[0] if rest else ""
+    text = _REMEDIES.entry("open" if verb == "remember" and not rest else verb).text()
+    return text.format(bitrate=_KBIT.get(bitrate, bitrate), channel=subject)
 
 
 class FindingRow(QWidget):

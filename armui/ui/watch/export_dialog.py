@@ -43,7 +43,7 @@ from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.progress import quiet_progress
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import joined
+from armui.ui.words.text import Texts, joined
 
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
@@ -59,91 +59,41 @@ _FORMATS: Final = {
     ExportFormat.CSV_MESSAGES: QT_TRANSLATE_NOOP("ExportForm", "CSV per message"),
     ExportFormat.LEROBOT: "LeRobot",
 }
+_ABOUT: Final = Texts("ExportDialog") | {
+    ExportFormat.MCAP: "ROS 2 messages: joint states, targets, end pose, transforms of the links, "
+    "diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.",
+    ExportFormat.CSV: "A table as text: a row for each set of joint angles, all else as last heard "
+    "then. For spreadsheets and scripts.",
+    ExportFormat.PARQUET: "The same table with types and units, small and quick to open. For "
+    "pandas and the like; needs the package pyarrow.",
+    ExportFormat.CSV_MESSAGES: "A folder with a file for each message: every frame with its time, "
+    "decoded into signals with their units.",
+    ExportFormat.LEROBOT: "A dataset to learn from: the marked episodes at 30 frames a second, "
+    "without images. What is left out is said. For LeRobot 0.6; needs the package pyarrow.",
+}
+"""The content of a format, and the programs that open it."""
+_PROBLEMS: Final = Texts("ExportDialog") | {
+    None: "The export failed: {detail}",
+    ExportProblem.NO_LOG: "The log cannot be read: {detail}",
+    ExportProblem.NO_CHANNEL: "The log has no such channel. It has: {detail}",
+    ExportProblem.NO_FRAMES: "The log has no frames. No file was written.",
+    ExportProblem.NO_ARM: "No frame of the log is an arm's. No file was written. Another channel?",
+    ExportProblem.NO_ANGLES: "A table has a row for each set of joint angles, and none was heard. "
+    "No file was written. MCAP holds what else there is.",
+    ExportProblem.NOTHING_THEN: "Nothing was heard in this time. No file was written.",
+    ExportProblem.EXISTS: "{target} exists already.",
+    ExportProblem.SAME_FILE: "The target is the log itself. Choose another name.",
+    ExportProblem.CANNOT_WRITE: "{target} cannot be written: {detail}",
+    ExportProblem.NO_PYARROW: "Parquet needs the package pyarrow: pip install 'armui[parquet]'. "
+    "CSV has the same table without it.",
+    ExportProblem.NO_EPISODE: "In no second of it were the angles heard and the arm without a "
+    "fault. No dataset was written.",
+}
+"""Why nothing was written, with the remedy."""
 _LOGS: Final = "*.blf *.log *.asc *.trc *.csv *.db *.txt *.gz"
 _GENERATIONS: Final = (None, Generation.ONE, Generation.TWO)
 _BELOW_FORMATS: Final = 2
 """The row with the description of the chosen format."""
-
-
-def about_text(export_format: ExportFormat) -> str:
-    """Return the content of a format, and the programs that open it."""
-    if export_format is ExportFormat.MCAP:
-        return QCoreApplication.translate(
-            "ExportDialog",
-            "ROS 2 messages: joint states, targets, end pose, transforms of the links, "
-            "diagnostics. For Foxglove, PlotJuggler, rerun and ROS 2 itself.",
-        )
-    if export_format is ExportFormat.CSV:
-        return QCoreApplication.translate(
-            "ExportDialog",
-            "A table as text: a row for each set of joint angles, all else as last heard then. "
-            "For spreadsheets and scripts.",
-        )
-    if export_format is ExportFormat.CSV_MESSAGES:
-        return QCoreApplication.translate(
-            "ExportDialog",
-            "A folder with a file for each message: every frame with its time, decoded into "
-            "signals with their units.",
-        )
-    if export_format is ExportFormat.LEROBOT:
-        return QCoreApplication.translate(
-            "ExportDialog",
-            "A dataset to learn from: the marked episodes at 30 frames a second, without images. "
-            "What is left out is said. For LeRobot 0.6; needs the package pyarrow.",
-        )
-    return QCoreApplication.translate(
-        "ExportDialog",
-        "The same table with types and units, small and quick to open. For pandas and the like; "
-        "needs the package pyarrow.",
-    )
-
-
-def problem_text(done: ExportDone, target: Path) -> str:
-    """Return why nothing was written, with the remedy."""
-    translate = QCoreApplication.translate
-    texts = {
-        ExportProblem.NO_LOG: translate("ExportDialog", "The log cannot be read: {detail}"),
-        ExportProblem.NO_CHANNEL: translate(
-            "ExportDialog", "The log has no such channel. It has: {detail}"
-        ),
-        ExportProblem.NO_FRAMES: translate(
-            "ExportDialog", "The log has no frames. No file was written."
-        ),
-        ExportProblem.NO_ARM: translate(
-            "ExportDialog",
-            "No frame of the log is an arm's. No file was written. Another channel?",
-        ),
-        ExportProblem.NO_ANGLES: translate(
-            "ExportDialog",
-            "A table has a row for each set of joint angles, and none was heard. No file was "
-            "written. MCAP holds what else there is.",
-        ),
-        ExportProblem.NOTHING_THEN: translate(
-            "ExportDialog", "Nothing was heard in this time. No file was written."
-        ),
-        ExportProblem.EXISTS: translate("ExportDialog", "{target} exists already."),
-        ExportProblem.SAME_FILE: translate(
-            "ExportDialog", "The target is the log itself. Choose another name."
-        ),
-        ExportProblem.CANNOT_WRITE: translate(
-            "ExportDialog", "{target} cannot be written: {detail}"
-        ),
-        ExportProblem.NO_PYARROW: translate(
-            "ExportDialog",
-            "Parquet needs the package pyarrow: pip install 'armui[parquet]'. CSV has the same "
-            "table without it.",
-        ),
-        ExportProblem.NO_EPISODE: translate(
-            "ExportDialog",
-            "In no second of it were the angles heard and the arm without a fault. No dataset was "
-            "written.",
-        ),
-    }
-    if done.problem is None:
-        text = translate("ExportDialog", "The export failed: {detail}")
-    else:
-        text = texts[done.problem]
-    return text.format(detail=done.detail, target=target)
 
 
 def finished_text(report: dict[str, Any], export_format: ExportFormat, target: Path) -> str:
@@ -400,7 +350,7 @@ class ExportForm(Translated, QWidget):
     def _show_paths(self) -> None:
         self._log_label.show_text(str(self._log or self.tr("none chosen")))
         self._target_label.show_text(str(self._target or self.tr("beside the log")))
-        self._about.setText(about_text(self.format))
+        self._about.setText(_ABOUT.text(self.format))
 
 
 def _in_line(group: QButtonGroup) -> QWidget:
@@ -571,7 +521,9 @@ class ExportDialog(ArmDialog):
             reason = self.form.reason() if self.form.has_log() else ""
             self._message.show_message(reason, Level.WARNING if reason else Level.INFO)
         elif done.report is None:
-            self._message.show_message(problem_text(done, request.target), Level.FAULT)
+            text = _PROBLEMS.entry(done.problem).text()
+            text = text.format(detail=done.detail, target=request.target)
+            self._message.show_message(text, Level.FAULT)
         else:
             text = finished_text(done.report, request.format, request.target)
             level = Level.WARNING if done.report["damage_count"] else Level.DONE

@@ -25,6 +25,7 @@ from armui.ui.widgets.table_model import (
     list_rows,
 )
 from armui.ui.words import event_log as words
+from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QResizeEvent
@@ -106,18 +107,12 @@ def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
     head = " · ".join([when, *dict.fromkeys(sorts)])
     lines = [words.entry_text(entry), head]
     for text, outcome in (
-        (
-            QCoreApplication.translate("EventTable", "Answer after {seconds} s: {text}"),
-            entry.answer,
-        ),
-        (
-            QCoreApplication.translate("EventTable", "Read back after {seconds} s: {text}"),
-            entry.result,
-        ),
+        (Text("EventTable", "Answer after {seconds} s: {text}"), entry.answer),
+        (Text("EventTable", "Read back after {seconds} s: {text}"), entry.result),
     ):
         if outcome is not None:
             after = f"{_after_s(entry, outcome):.3f}"
-            lines.append(text.format(seconds=after, text=words.outcome_text(outcome)))
+            lines.append(text.text().format(seconds=after, text=words.outcome_text(outcome)))
     return lines
 
 
