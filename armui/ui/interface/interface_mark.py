@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QToolButton
 
 from armui.ui import words
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
+from armui.ui.widgets.buttons import MARK_ICON_PX, show_as_mark
 from armui.ui.widgets.painting import set_rank
 from armui.ui.widgets.translated import Translated
 
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from armui.interface.interface_view import InterfaceView
     from armui.live.live_stream import LiveStream
     from armui.live.messages import LiveView
-
-_ICON_PX: Final = 14
 
 
 class ServedMark(Translated, QToolButton):
@@ -35,11 +33,7 @@ class ServedMark(Translated, QToolButton):
     def __init__(self, name: str, open_window: Callable[[], object]) -> None:
         super().__init__()
         self.setObjectName(name)
-        self.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        self.setAutoRaise(True)
-        self.setProperty("narrow", True)
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        show_as_mark(self)
         self.clicked.connect(lambda _checked: open_window())
 
     def _recolor(self) -> None:
@@ -51,7 +45,7 @@ class ServedMark(Translated, QToolButton):
         self.setAccessibleName(text)
         colors = colors_of(self)
         name, ink = ("warning", colors.warn) if warns else ("linkage", colors.muted)
-        self.setIcon(icons.icon(name, ink, _ICON_PX))
+        self.setIcon(icons.icon(name, ink, MARK_ICON_PX))
         set_rank(self, "warning" if warns else "muted")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QToolButton, QWidget
 
@@ -26,7 +26,7 @@ from armui.ui.actions.act import Act, HasActs
 from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import named
+from armui.ui.widgets.buttons import MARK_ICON_PX, named, show_as_mark
 from armui.ui.widgets.curve_menu import tell_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -61,7 +61,6 @@ _QUANTITIES: Final = {
     "reached": ("arm.not_reached",),
     "joints": ("arm.no_communication", "arm.beyond_limit"),
 }
-_MARK_ICON_PX: Final = 14
 
 
 class FailureLine(HasActs, Translated, QWidget):
@@ -147,11 +146,7 @@ class ModelMark(Translated, QToolButton):
         super().__init__()
         self._controller = controller
         self.setObjectName("model_mark")
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setIconSize(QSize(_MARK_ICON_PX, _MARK_ICON_PX))
-        self.setAutoRaise(True)
-        self.setProperty("narrow", True)
-        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        show_as_mark(self)
         controller.operating_state_changed.connect(self._show)
         self.clicked.connect(lambda _checked: open_connection())
         self.retranslate_ui()
@@ -191,7 +186,7 @@ class ModelMark(Translated, QToolButton):
         self.setToolTip(tip)
         self.setAccessibleName(self.tr("Model of the arm: {text}").format(text=text))
         if wrong:
-            self.setIcon(icons.icon("warning", colors.warn, _MARK_ICON_PX))
+            self.setIcon(icons.icon("warning", colors.warn, MARK_ICON_PX))
         style = (
             Qt.ToolButtonStyle.ToolButtonTextBesideIcon
             if wrong

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final, TypeVar
 
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import QObject, QSize, Qt, QTimer
 from PySide6.QtGui import QAction, QCursor, QKeySequence
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -24,6 +24,8 @@ from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.painting import repolish
 
 Named = TypeVar("Named", bound=QObject)
+MARK_ICON_PX: Final = 14
+"""The size of the icon of a mark in the status bar."""
 _REASON: Final = "reason"
 """The property that keeps the reason against what cannot be used."""
 
@@ -176,6 +178,15 @@ def spin_box(least: int, most: int, unit: str = "", *, step: int = 1) -> QSpinBo
     box = QSpinBox(minimum=least, maximum=most, suffix=unit, singleStep=step)
     box.setAlignment(Qt.AlignmentFlag.AlignCenter)
     return box
+
+
+def show_as_mark(button: QToolButton) -> None:
+    """Show a button as a mark of the status bar, which keeps its height."""
+    button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    button.setIconSize(QSize(MARK_ICON_PX, MARK_ICON_PX))
+    button.setAutoRaise(True)
+    button.setProperty("narrow", True)
+    button.setFixedHeight(button.fontMetrics().height())
 
 
 def choice_group(owner: QWidget, names: Iterable[str], first: int = 0) -> QButtonGroup:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QSize, QTimer
 from PySide6.QtWidgets import (
     QFrame,
     QLabel,
@@ -26,7 +26,7 @@ from armui.ui.actions.act import Act, HasActs, check_box
 from armui.ui.dialogs.files import choose_folder
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
-from armui.ui.widgets.buttons import drop_down, named, spin_box
+from armui.ui.widgets.buttons import MARK_ICON_PX, drop_down, named, show_as_mark, spin_box
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
@@ -46,7 +46,6 @@ _FORMATS: Final[tuple[tuple[SessionFormat, str], ...]] = (
     (".log", "candump"),
 )
 _ICON_PX: Final = 18
-_MARK_ICON_PX: Final = 14
 _LOOK_MS: Final = 1000
 _BETWEEN_PX: Final = 12
 _FOLDER_PX: Final = 70
@@ -386,11 +385,7 @@ class RecordingMark(Translated, QToolButton):
         self._sessions = sessions
         self._episodes = episodes
         self.setObjectName("recording_mark")
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setIconSize(QSize(_MARK_ICON_PX, _MARK_ICON_PX))
-        self.setAutoRaise(True)
-        self.setProperty("narrow", True)
-        self.setFixedHeight(self.fontMetrics().height())  # the bar keeps its height
+        show_as_mark(self)
         self._timer = QTimer(self, interval=_LOOK_MS)
         self._timer.timeout.connect(self._show_time)
         self._recolor()
@@ -406,7 +401,7 @@ class RecordingMark(Translated, QToolButton):
         self._show_time()
 
     def _recolor(self) -> None:
-        self.setIcon(icons.icon("record", colors_of(self).accent, _MARK_ICON_PX))
+        self.setIcon(icons.icon("record", colors_of(self).accent, MARK_ICON_PX))
 
     def _on_changed(self) -> None:
         recording = self._sessions.recording
