@@ -654,10 +654,6 @@
         <translation>最近：{part}，距“{name}” {value} mm</translation>
     </message>
     <message>
-        <source>The arm has not reported its pose yet.</source>
-        <translation>机械臂尚未反馈位姿。</translation>
-    </message>
-    <message>
         <source>Press Apply to put the new figures in force.</source>
         <translation>请按“应用”使新数值生效。</translation>
     </message>
@@ -5702,10 +5698,6 @@ Z 轴指向 {direction}</translation>
         <translation>这是房间的坐标系：随“底座”中的数值移动。</translation>
     </message>
     <message>
-        <source>The arm has not reported its pose yet.</source>
-        <translation>机械臂尚未反馈位姿。</translation>
-    </message>
-    <message>
         <source>Fills in the present tool pose, with the axes of the tool.</source>
         <translation>填入当前末端位姿，坐标轴即工具的坐标轴。</translation>
     </message>
@@ -8491,6 +8483,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>Undo delete</source>
         <translation>撤销删除</translation>
+    </message>
+    <message>
+        <source>The arm has not reported its pose yet.</source>
+        <translation>机械臂尚未反馈位姿。</translation>
     </message>
     <message>
         <source>Type a name first.</source>

@@ -58,6 +58,8 @@ class AreaTab(NamedTab):
         key="cell.area_here",
         title=Text("AreaTab", "Take the present tool pose"),
     )
+    here.pressed(NamedTab.take_tool_pose)
+    here.why_not(NamedTab.why_no_tool_pose)
     of_frame = Act(
         "From frame",
         named="cell_area_frame",
@@ -120,13 +122,6 @@ class AreaTab(NamedTab):
         if zone is not None:
             switched = with_zone(self._area, replace(zone, on=on), instead_of=zone.name)
             self._change(self._with(switched), zone.name)
-
-    @here.pressed
-    def _on_here(self) -> None:
-        """Fill in the tool's pose; a plane's allowed side is behind the tool."""
-        pose = self._controller.cartesian.tool_pose(self._controller.state)
-        if pose is not None:
-            self.take_pose(pose)
 
     def typed_zone(self) -> Zone | None:
         """Return the plane or box as typed while the tab is seen and one is chosen or named."""
@@ -204,11 +199,6 @@ class AreaTab(NamedTab):
             )
         self._nearness.setText(text)
         AreaTab.here.show(self)
-
-    @here.why_not
-    def _why_not_here(self) -> str:
-        known = self._controller.cartesian.tool_pose(self._controller.state) is not None
-        return "" if known else self.tr("The arm has not reported its pose yet.")
 
     @of_frame.why_not
     def _why_no_frame(self) -> str:

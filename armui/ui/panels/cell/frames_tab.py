@@ -41,6 +41,8 @@ class FramesTab(ForceTab):
         key="cell.frame_here",
         title=Text("FramesTab", "Frame from the present tool pose"),
     )
+    here.pressed(NamedTab.take_tool_pose)
+    here.why_not(NamedTab.why_no_tool_pose)
 
     def __init__(self, controller: ArmController, answered: Answered) -> None:
         super().__init__(controller, answered, FrameByPoints(controller, answered))
@@ -61,21 +63,10 @@ class FramesTab(ForceTab):
             return ""
         return self.tr("It is the room's: it moves with the figures under Base.")
 
-    @here.pressed
-    def _on_here(self) -> None:
-        pose = self._controller.cartesian.tool_pose(self._controller.state)
-        if pose is not None:
-            self.take_pose(pose)
-
     def show_state(self, state: ArmState) -> None:
         """Show whether the present tool pose can be filled in."""
         super().show_state(state)
         FramesTab.here.show(self)
-
-    @here.why_not
-    def _why_not_here(self) -> str:
-        known = self._controller.cartesian.tool_pose(self._controller.state) is not None
-        return "" if known else self.tr("The arm has not reported its pose yet.")
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if self._fixed() and not new:

@@ -300,6 +300,17 @@ class NamedTab(CellTab):
         self._ways.setCurrentIndex(place)
         self.show_state(self._controller.state)
 
+    def take_tool_pose(self) -> None:
+        """Fill in the tool's pose; a plane's allowed side is behind the tool."""
+        pose = self._controller.cartesian.tool_pose(self._controller.state)
+        if pose is not None:
+            self.take_pose(pose)
+
+    def why_no_tool_pose(self) -> str:
+        """Return why the tool's pose cannot be filled in; empty if it can."""
+        known = self._controller.cartesian.tool_pose(self._controller.state) is not None
+        return "" if known else self.tr("The arm has not reported its pose yet.")
+
     def take_pose(self, pose: Sequence[float]) -> None:
         """Fill in a pose; it is applied by a press."""
         for field, value in zip(self._fields, pose, strict=True):
