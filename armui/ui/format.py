@@ -62,6 +62,12 @@ def spoken(values: Sequence[float]) -> list[str]:
     return [short_number(value, DECIMALS if alike or abs(value) < 1 else 1) for value in values]
 
 
+def pose(figures: Sequence[float], decimals: int) -> str:
+    """Return the six figures of a pose with their names and units."""
+    x, y, z, rx, ry, rz = (number(each, decimals) for each in figures)
+    return f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
+
+
 def percent(value: float | None) -> str:
     """Return a percentage without decimals."""
     return with_unit(value, "%", 0)

@@ -164,11 +164,10 @@ class FrameByPoints(PointSearch):
         return self.tr("X {x}  Y {y}  Z {z} mm in the base").format(x=x, y=y, z=z)
 
     def _result_text(self, pose: Pose) -> str:
-        x, y, z, rx, ry, rz = (fmt.number(value, 2) for value in pose)
         up = [fmt.number(value, 2) for value in pose_to_matrix(pose)[:3, 2].tolist()]
         text = self.tr("Found, in the base: {frame}\nZ points along {direction}")
         return text.format(
-            frame=f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°",
+            frame=fmt.pose(pose, 2),
             direction="X {}  Y {}  Z {}".format(*up),
         )
 

@@ -297,7 +297,9 @@ class TipByPoints(PointSearch):
         if isinstance(found, Refusal):
             return f"{figures}\n{words.refusal(found)}"
         was = self.tr("Found: {found}\nBefore: {before}")
-        return f"{figures}\n" + was.format(found=_six(found), before=_six(self._before))
+        return f"{figures}\n" + was.format(
+            found=fmt.pose(found, 2), before=fmt.pose(self._before, 2)
+        )
 
     def _name_axes(self) -> None:
         """Name the axes that the tool may point along: of the user frame in force, or the base."""
@@ -334,8 +336,3 @@ class TipByPoints(PointSearch):
             self.tr("The residual says how well the poses fit, not how true the tool is.")
         )
         self._show()
-
-
-def _six(pose: Pose) -> str:
-    x, y, z, rx, ry, rz = (fmt.number(value, 2) for value in pose)
-    return f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"

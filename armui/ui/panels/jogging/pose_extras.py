@@ -227,9 +227,8 @@ class ArcBox(HasActs, Translated, QWidget):
                 text.setToolTip("")
                 continue
             shown = self._controller.cartesian.in_frame(pose)
-            x, y, z, rx, ry, rz = (fmt.number(value, 1) for value in shown)
             text.setText(f"{' '.join(fmt.number(value, 0) for value in shown[:3])} mm")
-            text.setToolTip(f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°")
+            text.setToolTip(fmt.pose(shown, 1))
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
