@@ -29,8 +29,6 @@ from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
 if TYPE_CHECKING:
-    from PySide6.QtWidgets import QWidget
-
     from armui.control.arm_controller import ArmController
     from armui.settings import SettingsStore
     from armui.ui.background import Background
@@ -167,7 +165,7 @@ class WindowActions(QObject):
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
             "full_screen": self._switch_full_screen,
-            "faster": self._go_faster,
+            "faster": partial(controller.speed_override.step, STEP_PERCENT),
             "episode": controller.episodes.mark,
             "discard_episode": controller.episodes.discard,
         }
@@ -200,10 +198,10 @@ class WindowActions(QObject):
             if page.command is not None and not page.beside_menu
         }
         does: dict[str, Callback] = {
-            "everywhere.stop": self._stop,
-            "everywhere.halt": self._halt,
-            "everywhere.slower": self._go_slower,
-            "everywhere.faster": self._go_faster,
+            "everywhere.stop": self._controller.emergency_stop,
+            "everywhere.halt": self._controller.halt_and_hold,
+            "everywhere.slower": partial(self._controller.speed_override.step, -STEP_PERCENT),
+            "everywhere.faster": partial(self._controller.speed_override.step, STEP_PERCENT),
             _NEXT_STEP: self._take_step,
             **opening,
             "window.language": self._switch_language,
@@ -264,19 +262,12 @@ class WindowActions(QObject):
         """Show the section of the user guide on the place where the operator is."""
         self._pages.open_guide(section_of(*self._where()))
 
-    def _open(self, name: str, make: Callable[[], QDialog]) -> QDialog:
+    def _open(self, name: str, make: Callable[[], QDialog]) -> None:
         if name not in self._opened:
             self._opened[name] = make()
         self._opened[name].open()
-        return self._opened[name]
 
     # -- what has no button -------------------------------------------------------------------
-
-    def _stop(self) -> None:
-        self._controller.emergency_stop()
-
-    def _halt(self) -> None:
-        self._controller.halt_and_hold()
 
     def _step_button(self) -> QWidget | None:
         in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP
@@ -300,12 +291,6 @@ class WindowActions(QObject):
     def _why_no_lock(self) -> str:
         open_editor = self._pages.existing("editor") is not None
         return self.tr("Close the trajectory editor first.") if open_editor else ""
-
-    def _go_slower(self) -> None:
-        self._controller.speed_override.step(-STEP_PERCENT)
-
-    def _go_faster(self) -> None:
-        self._controller.speed_override.step(STEP_PERCENT)
 
     def _switch_language(self) -> None:
         self._store.change(language="en" if self._store.settings.language == "zh" else "zh")

@@ -111,7 +111,7 @@ def about_rows(
     system = f"{platform.system()} {platform.release()}, Python {platform.python_version()}"
     values = {
         "model": _model(now),
-        "firmware": _firmware(state, now),
+        "firmware": _untold(now) if state.firmware is None else state.firmware,
         "date": _told(state, now, "iso_date"),
         "hardware": _told(state, now, "hardware"),
         "node": _node(state, now),
@@ -159,10 +159,6 @@ def _model(now: OperatingState) -> str:
     if fit.older_zeros:
         text += translate("AboutArm", "; joints 2 and 3 use the zeros from before S-V1.6-3")
     return text.format(model=name)
-
-
-def _firmware(state: ArmState, now: OperatingState) -> str:
-    return state.firmware if state.firmware is not None else _untold(now)
 
 
 def _told(state: ArmState, now: OperatingState, field: str) -> str:

@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QEvent, QPoint, Qt, QTimer, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from armui.telemetry.quantities import QUANTITIES
 from armui.ui.watch.curve_cache import CurveBook
@@ -18,7 +18,7 @@ from armui.ui.watch.plot_pane import PlotPane, TakesQuantities
 from armui.ui.watch.time_axis import TimeStrip
 from armui.ui.watch.time_frame import TimeFrame
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.layouts import in_column
+from armui.ui.widgets.layouts import bare_area, in_column
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.translated import Translated
 
@@ -119,16 +119,12 @@ class PlotBoard(QWidget):
         self._dirty = True
         self._missing: Missing | None = None
         self._waiting: list[PlotPane] = []
-        self._area = area = QScrollArea(self)
-        self._column = named("plot_column", QWidget(area))
+        self._column = named("plot_column", QWidget())
+        self._area = area = bare_area(self._column)
         self._stack = in_column(on=self._column, spacing=4, margins=0)
         self.times = TimeStrip(self)
         self._strip = DropStrip(self)
         self._strip.dropped.connect(lambda keys, plot: self.take(keys, plot, None))
-        area.setWidgetResizable(True)
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(self._column)
         in_column((area, 1), self.times, self._strip, on=self, spacing=4, margins=0)
         self._timer = SeenTimer(self, PICTURE_MS, self._on_tick)
         self._rebuild()

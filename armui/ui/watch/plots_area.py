@@ -232,7 +232,7 @@ class PlotPage(Page):
     def _on_kept(self, result: Refusal | None) -> None:
         if isinstance(result, Refusal):
             text = self.tr("The layout of the plots could not be saved: {text}")
-            self._say(text.format_map(result.params), Level.WARNING)
+            self.area.say(text.format_map(result.params), Level.WARNING)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Store the layout now."""
@@ -240,9 +240,6 @@ class PlotPage(Page):
         if self._keep_timer.isActive():
             self._keep_timer.stop()
             self._keep()
-
-    def _say(self, text: str, level: Level) -> None:
-        self.area.say(text, level)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -60,17 +60,15 @@ class QuantityList(Translated, QWidget):
         self._groups: list[tuple[QStandardItem, str]] = []
         self.search = named("quantity_search", QLineEdit(clearButtonEnabled=True))
         self._model = QStandardItemModel(self)
-        self._shown = QSortFilterProxyModel(self)
-        self._shown.setRecursiveFilteringEnabled(True)
-        self._shown.setAutoAcceptChildRows(True)
+        self._shown = QSortFilterProxyModel(
+            self, recursiveFilteringEnabled=True, autoAcceptChildRows=True
+        )
         self._shown.setFilterCaseSensitivity(Qt.CaseSensitivity.CaseInsensitive)
-        self.tree = _Tree()
-        self.tree.setObjectName("quantity_tree")
+        self.tree = named("quantity_tree", _Tree())
         self.tree.setHeaderHidden(True)
         self.tree.setUniformRowHeights(True)
         self.tree.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.tree.setDragEnabled(True)
         self.tree.setDragDropMode(QAbstractItemView.DragDropMode.DragOnly)
         self.tree.setExpandsOnDoubleClick(False)
         in_column(self.search, (self.tree, 1), on=self, spacing=6, margins=0)
