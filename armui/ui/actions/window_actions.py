@@ -165,7 +165,7 @@ class WindowActions(QObject):
             "guide": self.open_guide,
             "shortcuts": self.open_shortcuts,
             "full_screen": self._switch_full_screen,
-            "faster": partial(controller.speed_override.step, STEP_PERCENT),
+            "faster": lambda: controller.speed_override.step(STEP_PERCENT),
             "episode": controller.episodes.mark,
             "discard_episode": controller.episodes.discard,
         }
@@ -200,8 +200,8 @@ class WindowActions(QObject):
         does: dict[str, Callback] = {
             "everywhere.stop": self._controller.emergency_stop,
             "everywhere.halt": self._controller.halt_and_hold,
-            "everywhere.slower": partial(self._controller.speed_override.step, -STEP_PERCENT),
-            "everywhere.faster": partial(self._controller.speed_override.step, STEP_PERCENT),
+            "everywhere.slower": lambda: self._controller.speed_override.step(-STEP_PERCENT),
+            "everywhere.faster": lambda: self._controller.speed_override.step(STEP_PERCENT),
             _NEXT_STEP: self._take_step,
             **opening,
             "window.language": self._switch_language,

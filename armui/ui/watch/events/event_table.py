@@ -106,13 +106,13 @@ def details(entry: EventEntry, *, dated: bool = True) -> list[str]:
     sorts = (words.event_level(entry.level), words.event_kind(entry.kind), words.asker(entry.who))
     head = " · ".join([when, *dict.fromkeys(sorts)])
     lines = [words.entry_text(entry), head]
-    for text, outcome in (
+    for said, outcome in (
         (Text("EventTable", "Answer after {seconds} s: {text}"), entry.answer),
         (Text("EventTable", "Read back after {seconds} s: {text}"), entry.result),
     ):
         if outcome is not None:
             after = f"{_after_s(entry, outcome):.3f}"
-            lines.append(text.text().format(seconds=after, text=words.outcome_text(outcome)))
+            lines.append(said.text().format(seconds=after, text=words.outcome_text(outcome)))
     return lines
 
 
