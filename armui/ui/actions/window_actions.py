@@ -198,8 +198,8 @@ class WindowActions(QObject):
             if page.command is not None and not page.beside_menu
         }
         does: dict[str, Callback] = {
-            "everywhere.stop": self._controller.emergency_stop,
-            "everywhere.halt": self._controller.halt_and_hold,
+            "everywhere.stop": self._stop,
+            "everywhere.halt": self._halt,
             "everywhere.slower": lambda: self._controller.speed_override.step(-STEP_PERCENT),
             "everywhere.faster": lambda: self._controller.speed_override.step(STEP_PERCENT),
             _NEXT_STEP: self._take_step,
@@ -268,6 +268,12 @@ class WindowActions(QObject):
         self._opened[name].open()
 
     # -- what has no button -------------------------------------------------------------------
+
+    def _stop(self) -> None:
+        self._controller.emergency_stop()
+
+    def _halt(self) -> None:
+        self._controller.halt_and_hold()
 
     def _step_button(self) -> QWidget | None:
         in_strip = self._controller.recovery.step.kind in _IN_THE_RUN_STRIP
