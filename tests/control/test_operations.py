@@ -12,7 +12,9 @@ import pytest
 
 from armui.arm.figures import WHOLE_OUT_OF_RANGE, figures_of
 from armui.arm.refusal import Reason, Refusal
+from armui.control.authority import Authority
 from armui.control.link.link_state import LinkState
+from armui.control.motion.motion_command import End
 from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import Consent, Operations, declare, operation, operation_of
 from armui.control.operations.started import Ending, Started
@@ -208,6 +210,7 @@ class Part:
         self.calls: list[object] = []
         self.names: list[str] = []
         self.refusal = refusal
+        self.authority = Authority()
         self._context: Any = self
 
     def begun(self, name):
@@ -242,6 +245,16 @@ def test_the_method_gets_its_record_and_the_caller_too():
     assert len(part.names) == 1, "whoever watches operations is told that it has begun"
     assert started is part.started
     assert (started.operation, started.ending) == ("part.act", None)
+
+
+def test_the_reason_is_asked_again_where_something_ends_by_the_beginning():
+    class Ends(Part):
+        def begun(self, name):
+            self.authority.end_command(End.CANCELLED)
+
+    part = Ends()
+    part.act(9)
+    assert part.calls == ["ended", "refreshed", "refreshed", (9, False)]
 
 
 def test_a_reason_of_the_arguments_is_asked_and_told_once_and_nothing_is_done():

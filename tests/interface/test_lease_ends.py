@@ -3,7 +3,9 @@
 import pytest
 
 from armui.control.motion.jog_path import JointJog
+from armui.control.motion.planned_motion import ENDS_ALREADY, NOTHING_HELD
 from armui.control.operating_state import StopState
+from armui.protocol.codes import TrajectoryCommand
 from tests.app_driver import Slow
 from tests.company import OtherHost
 from tests.interface.conftest import with_lease
@@ -185,6 +187,24 @@ def test_the_motion_of_another_host_is_not_ended_with_it(leased, desk):
     desk.rig.run(5.0)
     assert desk.rig.firmware.joints_deg == pytest.approx((30, 20, -20, 0, 0, 0), abs=0.2)
     host.close()
+
+
+def test_what_ends_with_the_lease_is_neither_paused_nor_continued(leased, desk):
+    controller = desk.rig.controller
+    begin_motion(leased, desk)
+    assert controller.planned_motion.command(TrajectoryCommand.PAUSE) == ENDS_ALREADY()
+    assert desk.view.lease is None
+    desk.rig.run(1.0)
+    assert not controller.operating_state.moving
+
+    with_lease(leased, desk)
+    begin_motion(leased, desk)
+    controller.motion.set_speed_percent(0)
+    desk.rig.run(0.5)
+    controller.motion.set_speed_percent(30)
+    assert controller.planned_motion.command(TrajectoryCommand.CONTINUE) == NOTHING_HELD()
+    assert desk.view.lease is None
+    assert "plan_sent" not in desk.rig.codes()
 
 
 def test_what_the_operator_has_slowed_stays_slow(leased, desk):

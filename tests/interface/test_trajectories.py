@@ -7,7 +7,9 @@ import pytest
 
 from armui.arm.refusal import Refusal
 from armui.control.operations.started import Ending
+from armui.control.run.player import NOT_PAUSED
 from armui.control.run.progress import Run, RunPhase
+from armui.control.safety import gate
 from armui.interface import interface
 from armui.interface.methods import MOST_POINTS
 from armui.protocol.codes import MoveMode
@@ -242,6 +244,28 @@ def test_the_end_of_the_lease_ends_the_run_wherever_it_is(leased, desk, library,
     before = tuple(desk.rig.firmware.joints_deg)
     desk.rig.run(1.0)
     assert desk.rig.firmware.joints_deg == pytest.approx(before, abs=0.05)
+
+
+@pytest.mark.parametrize("paused_while", ["moving", "checked"])
+def test_one_that_the_operator_goes_on_with_ends_with_the_lease_and_is_not_said_to_go_on(
+    leased, desk, library, monkeypatch, paused_while
+):
+    controller, slow = desk.rig.controller, Slow()
+    if paused_while == "checked":
+        monkeypatch.setattr(gate, "_AT_ONCE", -1.0)
+        controller.gate._background = slow.submit
+    assert "result" in leased.answer(run(leased, "fine"))
+    assert bool(slow.waiting) is (paused_while == "checked")
+    assert not isinstance(controller.player.pause(), Refusal)
+    desk.rig.run(0.5)
+    before = tuple(desk.rig.firmware.joints_deg)
+    assert controller.player.go_on() == NOT_PAUSED()
+    assert desk.view.lease is None
+    slow.work()
+    desk.rig.run(1.0)
+    assert progress(desk).phase is RunPhase.STOPPED
+    assert desk.rig.firmware.joints_deg == pytest.approx(before, abs=0.1)
+    assert "run_continued" not in desk.rig.codes()
 
 
 def test_a_recording_is_replayed_and_ended_with_the_lease(leased, desk, library):

@@ -132,7 +132,11 @@ def operation(
             refusal = why_not(now, **{each: given.arguments[each] for each in asked})
             refusal = refusal or check_arguments(method, given.arguments)
             if refusal is None:
+                before = context.authority.revision
                 context.begun(name)  # before it sends: what ends by it drops nothing of it
+                if context.authority.revision != before:  # what it was about may have ended by it
+                    refusal = why_not(context.refresh(), **{e: given.arguments[e] for e in asked})
+            if refusal is None:
                 refusal = method(part, started, *args, **kwargs)
             if refusal is None:
                 return started

@@ -191,16 +191,19 @@ class Player(Execution):
     @declare("run.go_on", "Continue the run", why_not_go_on, moves=True, consent=Consent.HELD)
     def go_on(self) -> Started | Refusal | None:
         """End a pause (0x150 byte 1 = 2), or take the next step, which has no record of its own."""
-        waits = self._phase is RunPhase.WAITING
-        if not waits and self._phase is not RunPhase.PAUSED:
+        phase = self._phase
+        if phase not in {RunPhase.WAITING, RunPhase.PAUSED}:
             return self._context.refuse(NOT_PAUSED())
         refusal = why_not_go_on(self._context.refresh())
-        if waits and (refusal is None or refusal.reason != RUN_SPEED_ZERO):
-            self._context.begun("run.go_on")
+        waits = phase is RunPhase.WAITING
+        if refusal is not None and not (waits and refusal.reason != RUN_SPEED_ZERO):
+            return self._context.refuse(refusal)
+        self._context.begun("run.go_on")
+        if self._phase is not phase:  # a client's run ends with its lease
+            return self._context.refuse(NOT_PAUSED())
+        if waits:
             self._next_point()
             return None
-        if refusal is not None:
-            return self._context.refuse(refusal)
         unsent = self._paused_phase is RunPhase.MOVING and self._watch is None
         if self._paused_phase is RunPhase.MOVING and not unsent:
             refusal = self._let_go_on(self._percent)
@@ -211,7 +214,6 @@ class Player(Execution):
         self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
-        self._context.begun(started.operation)
         self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
         if unsent:
             self._send_point()
