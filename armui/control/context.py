@@ -17,6 +17,7 @@ from armui.control.operations.started import Ending, Started
 from armui.control.operations.telling import Tell, close_and_tell, report_and_tell
 from armui.control.parameters.planning_model import planning_model
 from armui.control.safety.overspeed import tool_pace
+from armui.control.safety.standstill import STILL_MOVING, why_moving
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, TrajectoryCommand
 from armui.telemetry.events import EventKind, Level
@@ -109,6 +110,16 @@ class Context:
         """
         self.observe()
         return self.authority.why_not()
+
+    def why_moving(self) -> Refusal | None:
+        """Return why the arm cannot be taken to stand still: it moves, or is about to by our word.
+
+        What motions are checked against is not changed then: the one that has just been sent was
+        checked against it, and is not measured to move yet.
+        """
+        refusal = why_moving(self.state())
+        about_to = self.authority.under_way or self.operating_state().moving
+        return refusal or (STILL_MOVING() if about_to else None)
 
     def send_motion(
         self,

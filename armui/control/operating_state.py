@@ -108,7 +108,7 @@ class OperatingState:
             to it.
         moving: The arm says that it has not reached its target, is not stopped, and is not
             measured to stand still: a motion cut short stays «not reached» for good. A motion
-            held back counts as well.
+            held back counts as well, and one of ours that was sent and is not measured yet.
         generation: The protocol the arm speaks, once that is known.
         addressing: The identifier offsets in use (0x470).
         control_certain: True if the arm is known to take commands under them.

@@ -233,7 +233,6 @@ def test_limits_that_were_read_go_before_the_factorys(console):
 
 
 def moves(console):
-    console.arm.send()
     console.arm.status = status(reached=False)
     console.arm.turn(5)
 
@@ -245,6 +244,13 @@ def test_an_arm_moves_that_says_so_and_is_measured_to(console):
     console.arm.status = status()
     assert console.assess().moving is False
     console.arm.status = status(reached=False)
+    console.arm.wait(0.5)
+    assert console.assess().moving is False
+
+
+def test_one_that_was_just_sent_counts_as_moving_before_it_is_measured(console):
+    console.arm.send()
+    assert console.assess().moving is True
     console.arm.wait(0.5)
     assert console.assess().moving is False
 

@@ -4,6 +4,8 @@ import pytest
 
 from armui.arm.parameters import Batch, Group
 from armui.arm.refusal import Refusal
+from armui.cell.cell import Cell
+from armui.cell.tools import Tool
 from armui.control.devices.gripper import RUN_LET_GO
 from armui.control.devices.lights import RUN_SETS_LAMPS
 from armui.control.operations.started import refusal_of
@@ -11,7 +13,7 @@ from armui.control.run.player import RUN_TOO_SLOW
 from armui.control.run.progress import RunPhase
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
 from armui.control.safety.standstill import JOINTS_MOVING
-from armui.protocol.codes import TeachingState, TrajectoryCommand
+from armui.protocol.codes import Mounting, TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 from armui.trajectory.points.program import LightAction
 from tests.accepted import accepted
@@ -317,3 +319,18 @@ def test_an_arm_is_not_made_to_drop_on_identifiers_nobody_knows(uncertain):
     assert uncertain.controller.recovery.act(step).reason == CONTROL_OFFSET_UNKNOWN
     uncertain.run(0.1)
     assert uncertain.ear.heard == []
+
+
+def test_what_a_motion_was_checked_against_is_kept_from_its_press_on(ready):
+    """It is not measured to move yet, and may wait for the adapter for longer than here."""
+    kept = {name: SETTINGS[name] for name in ("zero one", "zero all", "limit", "collision", "load")}
+    kept |= {name: SETTINGS[name] for name in ("factory joint limits", "linkage", "no linkage")}
+    kept["mounting"] = lambda rig: rig.controller.mounting.tell(Mounting.LEVEL)
+    kept["cell"] = lambda rig: rig.controller.cell.take(Cell("bench", (Tool("pen"),), "pen"))
+    ready.controller.motion.set_speed_percent(1)
+    ready.run(0.5)
+    accepted(ready.controller.motion.send_joints(OUT))
+    ready.ear.heard.clear()
+    assert None not in refused(ready, kept).values()
+    ready.step()
+    assert ids(ready) == {0x151, 0x155, 0x156, 0x157}

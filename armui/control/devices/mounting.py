@@ -13,7 +13,6 @@ from armui.control.operations.operation import operation
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
 from armui.control.safety.interlocks import CONTROL_OFFSET_UNKNOWN
-from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import Mounting
 from armui.protocol.generation import Generation
@@ -94,7 +93,7 @@ class MountingControl:
         return (
             why_not_mount(context.operating_state())
             or self.why_not_by_firmware(mounting)
-            or why_moving(context.state())
+            or context.why_moving()
         )
 
     def why_not_by_firmware(self, mounting: Mounting) -> Refusal | None:

@@ -119,7 +119,7 @@ class Zeroing(AnsweredPart):
         context = self._context
         state = context.state()
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
-        refusal = why_not_still(state) or self._why_unheard(joints)
+        refusal = why_not_still(state) or context.why_moving() or self._why_unheard(joints)
         if refusal is not None:
             return refusal
         self._before_zeroing()
@@ -164,6 +164,7 @@ class Zeroing(AnsweredPart):
         operating_state, state = self._context.operating_state(), self._context.state()
         refusal = why_no_command(operating_state.unreachable, operating_state.stop, None)
         refusal = refusal or operating_state.occupied or why_not_still(state)
+        refusal = refusal or self._context.why_moving()
         return refusal or self._why_unheard(joints) or _why_elsewhere(joints, pressed, state)
 
 

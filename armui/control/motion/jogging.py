@@ -50,15 +50,12 @@ from armui.control.motion.target_stream import TargetJog, TargetStream, stream_p
 from armui.control.operations.operation import Consent, operation
 from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
-from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
+from armui.control.safety.standstill import QUIET_DEG, QUIET_S, STILL_MOVING, RestWatch
 from armui.kinematics.axes import AXES, JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 
-STILL_MOVING = Reason(
-    "still_moving", "The arm is still moving. Wait until it stands still, then press again."
-)
 JOG_HELD_UP = Reason(
     "jog_held_up", "The program was held up for {value} ms. Let go and press again."
 )

@@ -29,7 +29,6 @@ from armui.control.parameters.setting_checks import (
 )
 from armui.control.parameters.setting_frames import INDEX, query_frames, setting_frames
 from armui.control.requests.transactions import ReadBack, Transaction, TransactionQueue
-from armui.control.safety.standstill import why_moving
 from armui.protocol import commands
 from armui.protocol.codes import SettingIndex
 from armui.protocol.generation import Generation
@@ -198,7 +197,7 @@ class ArmSettings(QObject, ControllerPart):
         """
         codec, state = self._context.connection.codec, self._context.state()
         refusal = (
-            why_moving(state)
+            self._context.why_moving()
             or self.why_not_kept(batches_of(changes))
             or why_not(codec, state, changes)
         )
@@ -283,7 +282,7 @@ class ArmSettings(QObject, ControllerPart):
         command: Callable[[Codec], Sequence[Frame]],
         batches: Sequence[Batch],
     ) -> Refusal | None:
-        refusal = why_moving(self._context.state())
+        refusal = self._context.why_moving()
         if refusal is not None:
             return refusal
         for batch in batches:
@@ -304,7 +303,7 @@ class ArmSettings(QObject, ControllerPart):
 
     def _why_not_any_more(self) -> Refusal | None:
         """Return what has come up since the press against setting parameters."""
-        return self._context.operating_state().occupied or why_moving(self._context.state())
+        return self._context.operating_state().occupied or self._context.why_moving()
 
     def _submit(self, *transactions: Transaction) -> None:
         self._open += len(transactions)

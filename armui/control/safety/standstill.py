@@ -14,6 +14,9 @@ from armui.control.safety.interlocks import joint_list
 JOINTS_MOVING = Reason(
     "joints_moving", "These joints are moving: {joints}. Wait until the arm stands still."
 )
+STILL_MOVING = Reason(
+    "still_moving", "The arm is still moving. Wait until it stands still, then press again."
+)
 SPEED_UNKNOWN = Reason(
     "speed_unknown",
     "Whether these joints stand still is not known: {joints}. Their drivers report no speed: "
