@@ -89,3 +89,17 @@ def test_what_waits_when_another_host_takes_the_arm_never_leaves(rig, other_host
     rig.run(0.3)
 
     assert [each.arbitration_id for each in rig.heard()] == [0x155]  # the other host's
+
+
+def test_an_enable_of_motors_that_are_on_takes_no_motion_from_us(rig):
+    controller = rig.controller
+    rig.ready()
+    accepted(controller.motion.send_joints(A))
+    rig.run(0.4)
+    accepted(controller.motors.enable())
+    rig.run(0.3)
+    assert mover(rig) is Mover.OURS
+    assert controller.operating_state.uncommanded is None
+    controller.motion.set_speed_percent(0)
+    rig.run(0.5)
+    assert controller.operating_state.held_target_deg == pytest.approx(A)

@@ -121,7 +121,7 @@ class Motors(RequestingPart[Busy]):
         context = self._context
         if not on:
             self._end_run(RUN_DISABLED())
-        context.authority.end_command(End.DISABLED)
+            context.authority.end_command(End.DISABLED)
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
         if joint == ALL_JOINTS:
