@@ -361,8 +361,7 @@ class ArmController(ControllerParts):
         if ends_gripper:
             self.gripper.end_travel()
         self.gate.drop_of(records)
-        command = self._authority.command
-        if command is not None and command.started in records and self._authority.may_be_ours:
+        if self._authority.carries_out(records):
             abort_motion(self._context)
 
     def end_all_motion(self) -> None:

@@ -7,7 +7,7 @@ the place the next step starts from while it is the last one the arm got; `End` 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Final
 
@@ -120,6 +120,8 @@ class Authority:
         self._cut_short = False
         self._met_moving = True
         self._goes_on = False
+        self._last: MotionCommand | None = None
+        """The command that ended last: the arm may go on to its target."""
         self._cancel_repeated = False
         self.other = OtherCommand()
         self.command: MotionCommand | None = None
@@ -200,6 +202,14 @@ class Authority:
             return True
         nobody_else = self.mover in {Mover.OURS, Mover.UNKNOWN}
         return self.moves and nobody_else and not self.is_ending
+
+    def carries_out(self, records: Container[Started]) -> bool:
+        """Return whether what moves the arm, or is about to, carries out one of these operations.
+
+        A command of ours that has ended, as by a silence, may go on in the arm.
+        """
+        command = self.command or self._last
+        return command is not None and command.started in records and self.may_be_ours
 
     @property
     def is_ending(self) -> bool:
@@ -539,6 +549,7 @@ class Authority:
         if self.command is None:
             return
         self.over.append((self.command, reason))
+        self._last = self.command
         self._goes_on = reason is End.SILENT and self.under_way
         self.command = None
         self.ended = reason

@@ -63,6 +63,24 @@ def test_its_end_halts_the_motion_with_power_on(leased, desk, end):
     assert all(desk.rig.controller.operating_state.enabled)
 
 
+@pytest.mark.parametrize("heard_again", [False, True])
+def test_its_end_halts_what_went_on_in_a_silence(leased, desk, heard_again):
+    """No step starts from its target any more, but the arm is on its way there."""
+    begin_motion(leased, desk)
+    desk.rig.node.link.mute_on.add(0x2A6)
+    desk.rig.run(0.3)
+    leased.ask("ping")
+    desk.rig.run(0.3)
+    if heard_again:
+        desk.rig.node.link.mute_on.clear()
+        desk.rig.run(0.1)
+    assert desk.view.lease is not None
+    take_back(leased, desk)
+    desk.rig.run(0.3)
+    there = stand_still(desk)
+    assert there[0] < FAR[0] - 5.0, "the motion went on to its target"
+
+
 @pytest.mark.parametrize("end", [release, go, take_back])
 def test_its_end_halts_the_gripper_where_it_is(leased, desk, end):
     leased.ask("gripper.move", lease=leased.lease, travel=60.0, effort=1.0)
