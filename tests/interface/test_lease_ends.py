@@ -3,9 +3,10 @@
 import pytest
 
 from armui.control.motion.jog_path import JointJog
-from armui.control.motion.planned_motion import ENDS_ALREADY, NOTHING_HELD
+from armui.control.motion.planned_motion import NOTHING_HELD
 from armui.control.operating_state import StopState
 from armui.protocol.codes import TrajectoryCommand
+from tests.accepted import accepted
 from tests.app_driver import Slow
 from tests.company import OtherHost
 from tests.interface.conftest import with_lease
@@ -210,7 +211,7 @@ def test_the_motion_of_another_host_is_not_ended_with_it(leased, desk):
 def test_what_ends_with_the_lease_is_neither_paused_nor_continued(leased, desk):
     controller = desk.rig.controller
     begin_motion(leased, desk)
-    assert controller.planned_motion.command(TrajectoryCommand.PAUSE) == ENDS_ALREADY()
+    accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
     assert desk.view.lease is None
     desk.rig.run(1.0)
     assert not controller.operating_state.moving
