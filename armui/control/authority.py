@@ -107,7 +107,7 @@ class Authority:
         self._cancelled_s: float | None = None
         self._replay_s: float | None = None
         """When the arm was told to follow its own recording; ``None`` once that is over."""
-        self._zero_since_s = 0.0
+        self._held_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
@@ -155,7 +155,10 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            self.command = replace(self.command, sent_s=now_s)
+            # what has not left is not shown by what the arm reports: neither its mode nor its end
+            self.command, self._held_since_s = replace(self.command, sent_s=now_s), now_s
+            if self._mode_sent is not None and self._mode_sent[1] > self._taken_in_s:
+                self._mode_sent = self._mode_sent[0], now_s
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
         status = state.status
@@ -473,7 +476,6 @@ class Authority:
                 self._overspeed.change_speed()
         elif seen is not None and (self.under_way or self.moves) and not self.is_braking:
             self._hold(Hold.SPEED_ZERO, seen.now_s)
-            self._zero_since_s = seen.now_s
 
     def paused(self) -> None:
         """Note that a pause was sent (0x150 byte 1 = 1)."""
@@ -484,6 +486,7 @@ class Authority:
 
     def _hold(self, hold: Hold, now_s: float) -> None:
         """Note what holds the motion back: from now on the arm is shown to stand."""
+        self._held_since_s = self._held_since_s if self.holds else now_s
         self.holds |= {hold}
         self._slow_down(0, now_s)
         self._overspeed.change_speed()
@@ -650,10 +653,11 @@ class Authority:
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return
-        taken_in = seen.state.in_time_for_s(seen.now_s, self._zero_since_s) > _TAKEN_IN_S
-        if status.value.reached and taken_in and status.at_s - self._zero_since_s > _TAKEN_IN_S:
+        in_time = seen.state.in_time_for_s(seen.now_s, self._held_since_s) > _TAKEN_IN_S
+        taken_in = in_time and status.at_s - self._held_since_s > _TAKEN_IN_S
+        if status.value.reached and taken_in:
             self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
-        left = status.value.control_mode != ControlMode.CAN_CONTROL
+        left = taken_in and status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         if left or stopped or any_motor_off(seen.state, seen.now_s):
             self.holds = frozenset()

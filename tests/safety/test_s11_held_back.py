@@ -40,6 +40,34 @@ def test_it_is_shown_and_counts_as_moving(held):
     assert held.controller.recovery.step.alternative is Action.GIVE_UP
 
 
+@pytest.mark.parametrize("held_up_s", [0.0, 0.4])
+@pytest.mark.parametrize("press", ["speed", "pause"])
+def test_one_held_back_at_its_press_stays_so_whatever_the_arm_reports_of_before(
+    rig, press, held_up_s
+):
+    """It says standby and arrived, until the frames of the motion have left and are taken in."""
+    controller = rig.controller
+    rig.ready()
+    if held_up_s:
+        rig.hold_driver()
+    accepted(controller.motion.send_joints(FAR))
+    if press == "speed":
+        accepted(controller.motion.set_speed_percent(0))
+    else:
+        accepted(controller.planned_motion.command(TrajectoryCommand.PAUSE))
+    rig.step(0.01)
+    rig.run(held_up_s)
+    rig.free_driver()
+    rig.run(0.6)
+    assert controller.operating_state.holds
+    accepted(controller.motion.set_speed_percent(30))
+    rig.run(0.5)
+    assert not rig.firmware.mechanics.moving
+    accepted(controller.planned_motion.command(TrajectoryCommand.CONTINUE))
+    rig.run(0.3)
+    assert rig.firmware.mechanics.moving
+
+
 @pytest.mark.parametrize("ended_by", ["halt", "another motion"])
 @pytest.mark.parametrize("press", ["speed", "pause"])
 def test_nothing_is_held_back_of_a_motion_that_brakes_at_its_end(rig, press, ended_by):

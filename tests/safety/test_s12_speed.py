@@ -10,6 +10,7 @@ import pytest
 from armui.control.motion.jog_path import JointJog
 from armui.control.run.progress import Run
 from armui.control.safety.overspeed import tool_pace
+from armui.kinematics.axes import JogFrame
 from armui.protocol import commands
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
@@ -339,3 +340,22 @@ def test_the_first_line_finds_loaded_what_its_pace_is_found_with():
         [sys.executable, "-c", LOADED_BY_A_LINE], capture_output=True, text=True, check=True
     )
     assert told.stdout.split() == []
+
+
+def test_a_lower_speed_told_again_behind_an_adapter_that_was_held_up_keeps_the_line(rig):
+    """The arm has not heard of the line yet and reports the mode of before."""
+    controller = rig.controller
+    rig.lie((0.0, 40.0, -40.0, 0.0, 20.0, 0.0))
+    rig.ready()
+    accepted(controller.motion.jog(1, 2.0))
+    rig.run(1.5)
+    rig.heard()
+    rig.hold_driver()
+    accepted(controller.cartesian.step(0, 30.0, JogFrame.BASE))
+    accepted(controller.motion.set_speed_percent(10))
+    rig.run(0.3)
+    rig.free_driver()
+    rig.run(0.1)
+    words = [frame.data[1:3] for frame in rig.heard() if frame.arbitration_id == 0x151]
+    assert words == [bytes((MoveMode.MOVE_L, percent)) for percent in (30, 10, 10)]
+    assert rig.firmware.mechanics.moving
