@@ -127,7 +127,7 @@ class Telemetry(Listener):
         }
         self._bitrate = DEFAULT_BITRATE
         self._frames = self._bits = self._errors = 0
-        self._counted_s = -math.inf
+        self._counted_s = self._newest_s = -math.inf
 
     def now_s(self) -> float:
         """Return the present time by the samples' clock."""
@@ -225,6 +225,7 @@ class Telemetry(Listener):
     def on_heard(self, batch: Sequence[ReceivedFrame]) -> None:
         """Add frames that others sent, in order."""
         self._frames += len(batch)
+        self._newest_s = batch[-1][1]
         find, data_bytes = self._from_others.get, 0
         for heard, at_s, (_id, data), _flags in batch:
             data_bytes += len(data)
@@ -293,6 +294,9 @@ class Telemetry(Listener):
 
     def on_look(self, now_s: float) -> None:
         """Update the rates; called every few milliseconds while a device is open."""
+        newest_s, self._newest_s = self._newest_s, now_s
+        # of frames that waited while the computer was busy the rest may be of the same time
+        now_s = newest_s if newest_s > self._counted_s else now_s
         passed_s = now_s - self._counted_s
         if passed_s < _BUS_EVERY_S - _ROUNDING_S:
             return

@@ -164,6 +164,26 @@ def test_a_code_outside_its_table_is_kept_and_an_unknown_frame_counted(telemetry
     assert latest(telemetry, "bus.frames_per_s") == pytest.approx(10.0)
 
 
+def test_frames_that_waited_while_the_computer_was_busy_are_no_higher_load(telemetry):
+    unknown = InvalidFrame(InvalidFrameKind.UNKNOWN_ID, 0x7FF, "unknown")
+
+    def hear(begin_s, end_s, look_s):
+        """1,000 frames a second, read at once."""
+        stamps = range(round(1000 * begin_s), round(1000 * end_s))
+        telemetry.on_heard([(unknown, stamp / 1000, EIGHT_BYTES, 0) for stamp in stamps])
+        telemetry.on_look(look_s)
+
+    told = []
+    for begin_s, end_s, look_s in (
+        *((0.9, 1.0, 1.0), (1.0, 1.1, 1.1)),
+        *((1.1, 1.15, 1.6), (1.15, 1.3, 1.605), (1.3, 1.58, 1.61), (1.58, 1.61, 1.615)),
+        *((1.61, 1.68, 1.68), (1.68, 1.72, 1.72)),
+    ):
+        hear(begin_s, end_s, look_s)
+        told.append(latest(telemetry, "bus.frames_per_s"))
+    assert told[1:] == pytest.approx([1000.0] * 7, rel=0.02)
+
+
 def test_whose_command_it_is(telemetry):
     sent(telemetry, 1.0, "JointTarget12", J1=10.0, J2=20.0)
     assert latest(telemetry, "own.joint_angle.1") == 10.0
