@@ -229,7 +229,7 @@ class StepKind(enum.Enum):
     )
     DRIVER_FAULT = StepText(
         "driver_fault",
-        "Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.",
+        "Driver error, joint {joints}: its motor may be off. Hold the arm, then clear the error.",
     )
     OVERCURRENT = StepText(
         "overcurrent",
