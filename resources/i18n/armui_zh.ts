@@ -11395,10 +11395,6 @@ The other program must have ended.</source>
         <translation>机械臂发生碰撞，关节 {joints}。请移开障碍物，然后清除错误。</translation>
     </message>
     <message>
-        <source>Driver error, joint {joints}: its motor is off. Hold the arm, then clear the error.</source>
-        <translation>关节 {joints} 驱动器错误，电机已断电。请扶住机械臂，然后清除错误。</translation>
-    </message>
-    <message>
         <source>Overcurrent, joint {joints}: its motor may be off. Hold the arm, take the load away, clear the error.</source>
         <translation>关节 {joints} 驱动器过流，电机可能已断电。请扶住机械臂，卸下负载，然后清除错误。</translation>
     </message>
@@ -11545,6 +11541,10 @@ The other program must have ended.</source>
     <message>
         <source>Only listening: nothing is sent but the emergency stop. To move the arm, disconnect here, then connect without “Listen only”.</source>
         <translation>只听：除急停外不发送任何帧。要控制机械臂，请在此断开，再不勾选“只听”重新连接。</translation>
+    </message>
+    <message>
+        <source>Driver error, joint {joints}: its motor may be off. Hold the arm, then clear the error.</source>
+        <translation>关节 {joints} 驱动器错误，电机可能已断电。请扶住机械臂，然后清除错误。</translation>
     </message>
     <message>
         <source>Too hot, joint {joints}: {temperature} °C. Let the arm cool down; the message goes by itself.</source>
@@ -13338,6 +13338,10 @@ The other program must have ended.</source>
     <message>
         <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>
         <translation>拖动已放弃：机械臂或被拖动的内容已经改变。请重新拖动。</translation>
+    </message>
+    <message>
+        <source>The target is {value} mm below the floor. Send it only if there is nothing there.</source>
+        <translation>目标在地面以下 {value} mm。确认那里没有物体后再发送。</translation>
     </message>
     <message>
         <source>This is a CAN log, which holds no points. Under Log, “Replay another log…” opens it.</source>

@@ -19,6 +19,7 @@ from tests.picture_hand import Hand
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
 POSE = {"X": 300.0, "Y": 40.0, "Z": 250.0, "RX": 0.0, "RY": 85.0, "RZ": 0.0}
 MOTION_FRAMES = {*range(0x150, 0x160)} - {0x15A, 0x15F}
+BELOW = (10.0, 125.0, -60.0, 15.0, 40.0, 20.0)
 PREVIEW = "Preview of the target: it has not been sent"
 
 
@@ -84,6 +85,15 @@ def test_a_typed_joint_target_has_a_ghost_and_a_needle_and_the_arm_stays(at):
     slider = at.app_driver.find("target_slider_2")
     assert slider.requested == pytest.approx(60.0)
     assert slider.measured == pytest.approx(0.0, abs=0.1)
+
+
+@pytest.mark.usefixtures("no_motion")
+def test_a_target_below_the_floor_is_told_before_it_is_sent(at):
+    type_joints(at, BELOW)
+    assert at.ghost == pytest.approx(BELOW)
+    assert "is 99 mm below the floor" in note(at)
+    type_joints(at)
+    assert note(at) == PREVIEW
 
 
 def test_what_was_sent_is_no_preview_any_more(at):

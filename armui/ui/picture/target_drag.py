@@ -42,6 +42,10 @@ DRAG_GIVEN_UP = Reason(
     "drag_given_up",
     "The drag was cancelled: the arm, or what was dragged, has changed. Drag again.",
 )
+TARGET_BELOW = Reason(
+    "target_below",
+    "The target is {value} mm below the floor. Send it only if there is nothing there.",
+)
 
 
 _BASE: Final = (0.0,) * 6
@@ -568,7 +572,10 @@ class TargetDrag(QObject):
             return self._led_text
         if leads_inside:
             return self._inside_text
-        return self._preview_text if typed is not None and ghost_deg is not None else None
+        if typed is None or ghost_deg is None:
+            return None
+        below_mm = -round(self._controller.jog_floor.height_mm(typed))
+        return TARGET_BELOW(value=below_mm) if below_mm > 0 else self._preview_text
 
     @property
     def _zone_kind(self) -> HandleKind:
