@@ -109,6 +109,8 @@ class Authority:
         """When the arm was told to follow its own recording; ``None`` once that is over."""
         self._held_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
+        self._mode_left_s = -math.inf
+        """When the last mode word has left at the earliest: it may wait."""
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
         """When that was sent which the arm has had the time to take in, by what is heard of it."""
@@ -157,8 +159,8 @@ class Authority:
         if seen.waiting and self.command is not None:
             # what has not left is not shown by what the arm reports: neither its mode nor its end
             self.command, self._held_since_s = replace(self.command, sent_s=now_s), now_s
-            if self._mode_sent is not None and self._mode_sent[1] > self._taken_in_s:
-                self._mode_sent = self._mode_sent[0], now_s
+            if self._mode_left_s > self._taken_in_s:
+                self._mode_left_s = now_s
         self._follow_hold(seen)
         self._stood = self._stood or self.at_rest
         status = state.status
@@ -374,7 +376,7 @@ class Authority:
         status = None if seen is None else seen.state.status
         if status is None:
             return None
-        if self._mode_sent is not None and self.mode_unproven:
+        if self._mode_sent is not None and status.at_s < self._mode_left_s + _SHOWN_S:
             return ControlMode.CAN_CONTROL, self._mode_sent[0]
         told = status.value
         if told.control_mode not in _OURS or told.move_mode not in _PLANNED:
@@ -437,6 +439,7 @@ class Authority:
             most_percent,
         )
         self.arm_percent, self._mode_sent = speed_percent, (move_mode, now_s)
+        self._mode_left_s = now_s
         self._given_s = now_s
         self._cancelled_s, self.cancel_unheeded = None, False
         self._left_by_another = self._met_moving = self._cancel_repeated = False
