@@ -217,8 +217,12 @@ class ControllerParts(QObject):
     @cached_property
     def planned_motion(self) -> PlannedMotion:
         """The part that pauses, continues and clears motions."""
-        tell_speed = self.motion.tell_speed
-        return PlannedMotion(self._context, end_all=self._end_driven, tell_speed=tell_speed)
+        return PlannedMotion(
+            self._context,
+            end_all=self._end_driven,
+            end_gripper=self.gripper.end_travel,
+            tell_speed=self.motion.tell_speed,
+        )
 
     @cached_property
     def recovery(self) -> Recovery:
@@ -307,6 +311,7 @@ class ControllerParts(QObject):
         self.player.as_asked = gripper.as_asked
         for run in (self.player, self.replayer):
             run.gripper_sent.connect(gripper.note_travel)
+            run.aborted.connect(gripper.end_travel)
         return gripper
 
     @cached_property

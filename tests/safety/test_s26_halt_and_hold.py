@@ -9,10 +9,12 @@ from PySide6.QtTest import QTest
 
 from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.operating_state import StopState
+from armui.control.run.progress import Run
 from armui.control.safety.stopping import HALT_LISTEN_ONLY
-from armui.protocol.codes import LinkageRole, TeachingState
+from armui.protocol.codes import LinkageRole, MoveMode, TeachingState, TrajectoryCommand
 from armui.protocol.frame import Frame
 from armui.sim.parameters.settings import LinkageSettings
+from armui.trajectory.points.program import GripperAngle, GripperOpening, Waypoint
 from armui.ui.widgets.halt_button import HaltButton
 from tests.accepted import accepted
 from tests.control.jogger import fastest_deg_s
@@ -298,6 +300,31 @@ def test_a_gripper_under_way_ends_where_it_is(any_rig, way):
     at_halt = gripper.travel
     rig.run(2.0)
     assert gripper.travel == pytest.approx(at_halt, abs=5.0)
+    assert gripper.enabled
+
+
+@pytest.mark.each_value(full="each way in both generations")
+@pytest.mark.parametrize("way", ["end", "clear", "end of a run"])
+def test_the_end_of_a_motion_is_that_of_a_gripper_under_way(any_rig, way):
+    rig = any_rig
+    rig.ready()
+    control, gripper = rig.controller, rig.firmware.gripper
+    if way == "end of a run":
+        by_angle = control.state.gripper.value.opening_mm is None
+        wide = GripperAngle(60.0) if by_angle else GripperOpening(60.0)
+        point = Waypoint(MoveMode.MOVE_J, (0.0,) * 6, gripper=wide, dwell_s=5.0)
+        accepted(control.player.start(Run("wide", (point,), (1.0,))))
+    else:
+        accepted(control.gripper.move(60.0, 1.0))
+    rig.run_until(lambda: 10.0 < gripper.travel < 40.0, seconds=10.0)
+    if way == "end of a run":
+        control.player.stop()
+    else:
+        ends = TrajectoryCommand.ABORT if way == "end" else TrajectoryCommand.CLEAR_ALL
+        accepted(control.planned_motion.command(ends))
+    at_end = gripper.travel
+    rig.run(2.0)
+    assert gripper.travel == pytest.approx(at_end, abs=5.0)
     assert gripper.enabled
 
 

@@ -106,14 +106,19 @@ class PlannedMotion(ControllerPart):
     Args:
         context: The context that the controller's parts share.
         end_all: Ends a run, replay or jog that is under way.
+        end_gripper: Ends a motion of the gripper, behind the frames that end the arm's.
         tell_speed: Sends the operator's speed percentage; returns false if it cannot.
     """
 
     def __init__(
-        self, context: MotionContext, end_all: Callable[[], None], tell_speed: Callable[[], bool]
+        self,
+        context: MotionContext,
+        end_all: Callable[[], None],
+        end_gripper: Callable[[], None],
+        tell_speed: Callable[[], bool],
     ) -> None:
         self._context = context
-        self._end_all = end_all
+        self._end_all, self._end_gripper = end_all, end_gripper
         self._tell_speed = tell_speed
         self._pause = PauseCommand(context)
 
@@ -142,6 +147,7 @@ class PlannedMotion(ControllerPart):
             sent = context.connection.send_urgent([*frames, *clearing_frames(context)])
             refusal = None if sent else LINK_LOST()
             context.authority.cancelled(context.clock())
+            self._end_gripper()
         else:
             refusal = self._send(command, frames)
         if refusal is None:

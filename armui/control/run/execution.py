@@ -49,10 +49,12 @@ class Execution(QObject, ControllerPart):
     Signals:
         progressed: A :class:`Progress`, when it differs.
         gripper_sent: The gripper was sent to a target, with an effort.
+        aborted: The arm was told to end what the run moves.
     """
 
     progressed = Signal(object)
     gripper_sent = Signal(float, float)
+    aborted = Signal()
 
     def __init__(self, context: MotionContext, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -155,6 +157,7 @@ class Execution(QObject, ControllerPart):
         """Have the arm end its motion and stay powered; wait until it rests."""
         self._hold.drop()
         abort_motion(self._context)
+        self.aborted.emit()
         self._await_rest()
 
     def _await_rest(self) -> None:
