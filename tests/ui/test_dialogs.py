@@ -8,7 +8,15 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QApplication, QDialog, QLabel, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from armui.control.operating_state import StopState
@@ -325,6 +333,27 @@ def test_a_chosen_file_is_handed_over(
     qtbot.keyClick(chooser, Qt.Key.Key_Return)
 
     assert chosen == [file]
+
+
+def test_the_next_file_is_looked_for_where_one_was_whose_path_was_typed(
+    qtbot: QtBot, controller: FakeController, tmp_path: Path
+) -> None:
+    file = tmp_path / "points.csv"
+    file.touch()
+
+    def chooser() -> FileDialog:
+        dialog = FileDialog(controller.as_real, title="A file", name_filter="All (*)")
+        qtbot.addWidget(dialog)
+        return dialog
+
+    first = chooser()
+    first.setDirectory(str(tmp_path.parent))
+    first.show()
+    name = first.findChild(QLineEdit)
+    assert name is not None
+    name.setText(str(file))
+    qtbot.keyClick(name, Qt.Key.Key_Return)
+    assert chooser().directory().absolutePath() == str(tmp_path)
 
 
 def test_the_next_file_is_looked_for_where_the_last_was(

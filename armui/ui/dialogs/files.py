@@ -152,6 +152,12 @@ class FileDialog(QFileDialog):
                     show_primary(button, wanted=True)
         self._widen_columns()
         self.resize(*_SIZE_PX)
+        self.filesSelected.connect(self._note_folder)
+
+    def _note_folder(self, names: list[str]) -> None:
+        """Have the next chooser begin where these files are, also where their path was typed."""
+        if self.fileMode() is not QFileDialog.FileMode.Directory:
+            self.setDirectory(str(Path(names[0]).parent))
 
     def _widen_columns(self) -> None:
         """Let the name of a file have the room that size, kind and date leave."""
