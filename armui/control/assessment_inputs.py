@@ -83,7 +83,7 @@ class Assessor:
         emergency_stop = self.stopping.emergency_stop
         busy = controller.motors.busy or (Busy.ZEROING if controller.zeroing.busy else None)
         resuming = busy is Busy.RESUMING
-        run = controller.replayer if controller.replayer.running else controller.player
+        run = controller.last_run
         return OperatingState(
             link=connection.link,
             device=connection.device,

@@ -184,6 +184,11 @@ class ControllerParts(QObject):
         """The part that replays recordings."""
         return Replayer(self._context, self)
 
+    @property
+    def last_run(self) -> Player | Replayer:
+        """The run under way, or the last one: of points, or of a recording."""
+        return self.replayer if self.replayer.number > self.player.number else self.player
+
     @cached_property
     def speed_override(self) -> SpeedOverride:
         """The part that slows runs and replays."""

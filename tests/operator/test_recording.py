@@ -316,6 +316,7 @@ def test_a_recording_is_replayed_from_the_list(operator):
     done = fmt.percent(100 * replayer.progress.done)
     told = operator.list.findChild(QWidget, "library_message").text()
     assert told == f"“Recording” ended after {done} of the recording."
+    assert not operator.list.findChild(QWidget, "run_resume").isVisible()
 
 
 def test_a_recording_is_seen_while_another_panel_is_shown(app_driver):

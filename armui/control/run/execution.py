@@ -81,6 +81,11 @@ class Execution(QObject, ControllerPart):
         return self._phase not in OVER
 
     @property
+    def number(self) -> int:
+        """The number of the record of the run, or of the last one; 0 before the first."""
+        return 0 if self._started is None else self._started.number
+
+    @property
     def phase(self) -> RunPhase:
         """The phase of the run, or the way it ended."""
         return self._phase

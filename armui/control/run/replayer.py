@@ -133,10 +133,10 @@ class Replayer(Execution):
         self._replay, self._cycle, self._at_s = replay, 1, 0.0
         self._way_in = list(context.gate().ways_inside())
         self._gripper_mm = None
-        self._started = started
+        last, self._started = self._started, started
         refusal = self._approach(replay)
         if refusal is not None:
-            self._replay, self._phase = None, RunPhase.IDLE
+            self._started, self._replay, self._phase = last, None, RunPhase.IDLE
             return refusal
         context.tell(RUN_STARTED, started, name=replay.recording.name)
         if self._way_in:

@@ -16,9 +16,7 @@ from armui.trajectory.samples.recording import Recording
 if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
     from armui.control.operations.started import Started
-    from armui.control.run.player import Player
     from armui.control.run.preflight import Preflight
-    from armui.control.run.replayer import Replayer
     from armui.trajectory.points.program import Waypoint
 
 
@@ -44,13 +42,12 @@ class Runner(QObject):
     @property
     def running(self) -> bool:
         """True if a run moves the arm, or will."""
-        return self._controller.player.running or self._controller.replayer.running
+        return self._controller.last_run.running
 
     @property
     def progress(self) -> Progress:
         """The progress of the present run, or of the last one."""
-        replayer = self._controller.replayer
-        return replayer.progress if replayer.running else self._controller.player.progress
+        return self._controller.last_run.progress
 
     def goes_by(self, points: Sequence[Waypoint]) -> bool:
         """Return whether the present run of points, or the last one, goes by these."""
@@ -89,19 +86,15 @@ class Runner(QObject):
 
     def pause(self) -> Refusal | None:
         """Have the arm hold where it is."""
-        return refusal_of(self._active().pause())
+        return refusal_of(self._controller.last_run.pause())
 
     def go_on(self) -> Refusal | None:
         """End a pause, or begin the next step."""
-        return refusal_of(self._active().go_on())
+        return refusal_of(self._controller.last_run.go_on())
 
     def stop(self) -> None:
         """End the run; the arm stays powered."""
-        self._active().stop()
-
-    def _active(self) -> Player | Replayer:
-        replayer = self._controller.replayer
-        return replayer if replayer.running else self._controller.player
+        self._controller.last_run.stop()
 
 
 def can_pause(progress: Progress) -> bool:

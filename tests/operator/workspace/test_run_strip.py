@@ -5,13 +5,17 @@ import errno
 import can
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from armui.control.events import Level
+from armui.control.run.replay import Replay
 from armui.control.safety.interlocks import SPEED_ZERO
 from armui.control.safety.recovery_steps import Step, StepKind
 from armui.ui.trajectory.editor.editor_page import EditorPage
 from armui.ui.trajectory.running.run_strip import END_MS
+from tests.accepted import accepted
+from tests.control.test_replayer import wave
 from tests.operator.workspace.actions import Pages, rect_in_window
 
 
@@ -82,6 +86,22 @@ def test_its_end_is_told_and_can_be_put_away(running):
     running.driver.wait(lambda: not strip(running).isVisible())
     running.driver.page(EditorPage).findChild(QWidget, "run_send").click()
     running.driver.run_until(lambda: strip(running).isVisible())
+
+
+def test_the_end_that_is_told_is_of_what_ran_last(running):
+    driver, replayer = running.driver, running.driver.controller.replayer
+    driver.run_until(lambda: not driver.controller.player.running, 60.0)
+    for halted, end in ((False, "100 % of the recording · done"), (True, "· ended")):
+        accepted(replayer.start(Replay(wave(seconds=1.0))))
+        driver.run_until(lambda: replayer.progress.done > 0.2, 60.0)
+        if halted:
+            QTest.keyClick(driver.window, Qt.Key.Key_F9)
+        driver.run_until(lambda: not replayer.running, 60.0)
+        driver.run(0.2)
+        assert driver.read("run_name") == "wave"
+        assert end in driver.read("run_text")
+        full = driver.find("run_bar").maximum()
+        assert (driver.find("run_bar").value() == full) is not halted
 
 
 def test_its_end_goes_by_itself_after_5_s(running):

@@ -502,7 +502,8 @@ class RunBar(Translated, QWidget):
         progress, again = self._runner.progress, self._again
         if again is None or again.what != self._what:
             return False
-        return again.name == progress.name == name and ended_early(progress)
+        points = progress.count > 0  # a recording is replayed from its beginning
+        return points and again.name == progress.name == name and ended_early(progress)
 
     def _why_not_resume(self, content: Content) -> Refusal | None:
         if not self._may_resume(content.name):
