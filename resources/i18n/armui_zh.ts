@@ -12384,6 +12384,10 @@ The other program must have ended.</source>
         <translation>机械臂报告已到达，但测量值与目标相差 {away}，请检查原因。</translation>
     </message>
     <message>
+        <source>The program, the computer or the adapter stood still for {seconds} s, so the run was ended. Let the computer do less beside it, keep it from sleeping, and start it anew.</source>
+        <translation>程序、计算机或适配器停顿了 {seconds} 秒，运行已结束。请减少计算机的其他任务并禁止休眠，然后重新开始。</translation>
+    </message>
+    <message>
         <source>The point was not reached within {seconds} s. See what keeps the arm.</source>
         <translation>{seconds} 秒内未到达该点，请检查机械臂受阻原因。</translation>
     </message>

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from armui.control.run.execution import RUN_GAP
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
-from armui.control.run.replayer import REPLAY_GAP
 from armui.trajectory.samples.recording import Recording
 from tests.accepted import accepted
 from tests.control.test_replayer import STILL, wave
@@ -85,10 +85,10 @@ def test_a_long_pause_ends_the_replay_and_says_why(ready, pause_s):
     ready.time_s += pause_s - PERIOD_S
     ready.step()
     progress = replayer.progress
-    assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "replay_gap")
+    assert (progress.phase, progress.refusal.code) == (RunPhase.FAILED, "run_gap")
     assert progress.refusal.params == {"seconds": round(pause_s, 1)}
     told = [event for event in ready.events if event.code == "replay_failed"]
-    assert told[-1].params["reason"].reason == REPLAY_GAP
+    assert told[-1].params["reason"].reason == RUN_GAP
     ready.run(0.5)
     at = ready.firmware.joints_deg
     ready.run(1.0)

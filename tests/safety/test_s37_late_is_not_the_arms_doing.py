@@ -8,9 +8,11 @@ from armui.control.link.link_state import LinkState
 from armui.control.link.link_watch import FEEDBACK_LATE
 from armui.control.motion.jog_path import JointJog
 from armui.control.motion.motion_command import Mover
+from armui.control.run.execution import RUN_GAP
 from armui.control.run.preflight import MOVED_SINCE_CHECK, Checks
 from armui.control.run.progress import RunPhase
 from armui.control.run.replay import Replay
+from armui.control.safety.interlocks import ENABLED_UNKNOWN
 from armui.control.safety.recovery_steps import StepKind
 from armui.protocol.codes import TrajectoryCommand
 from armui.telemetry.events import Level
@@ -174,6 +176,33 @@ def test_a_replay_is_not_behind_by_what_arrives_late(ready):
         ready.run(0.1)
     ready.run_until(lambda: not replayer.running)
     assert (replayer.phase, accused(ready)) == (RunPhase.DONE, [])
+
+
+@pytest.mark.parametrize("approaches", [True, False])
+def test_a_replay_waits_for_motors_that_are_heard_late(ready, approaches):
+    replayer = ready.controller.replayer
+    accepted(replayer.start(Replay(wave(seconds=4.0, swing_deg=60.0))))
+    ready.run_until(lambda: approaches or replayer.progress.done > 0.05)
+    ready.late.hold_up(0.44)
+    ready.late.hand_over(1)
+    ready.late.hold_up(0.3)
+    assert None in ready.controller.operating_state.enabled
+    ready.late.hand_over()
+    ready.run_until(lambda: not replayer.running)
+    assert (replayer.phase, accused(ready)) == (RunPhase.DONE, [])
+
+
+@pytest.mark.parametrize(("held_s", "told"), [(0.44, RUN_GAP), (0.0, ENABLED_UNKNOWN)])
+def test_what_ends_a_run_while_feedback_comes_late_is_told_as_that(ready, held_s, told):
+    player = ready.controller.player
+    accepted(player.start(run_of(to(FAR), to(BENT))))
+    ready.run(0.6)
+    ready.node.link.lose_to_bus(0x262, 999)
+    while player.running:
+        ready.late.hold_up(held_s)
+        ready.late.hand_over()
+        ready.run(0.06)
+    assert player.progress.refusal.reason == told
 
 
 def test_a_gripper_that_a_starving_arm_moves_late_is_not_blocked(ready):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, Signal
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
+from armui.arm.state import PAUSE_S
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST
@@ -16,6 +17,7 @@ from armui.control.motion.motion_context import MotionContext
 from armui.control.motion.planned_motion import PauseCommand
 from armui.control.operations.started import Ending
 from armui.control.run.progress import OVER, Progress, RunPhase
+from armui.control.safety.interlocks import PASSING
 from armui.control.safety.standstill import SETTLED_S, RestWatch
 from armui.protocol import commands
 from armui.protocol.codes import TrajectoryCommand
@@ -26,6 +28,11 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Codec
     from armui.protocol.frame import Frame
 
+RUN_GAP = Reason(
+    "run_gap",
+    "The program, the computer or the adapter stood still for {seconds} s, so the run was "
+    "ended. Let the computer do less beside it, keep it from sleeping, and start it anew.",
+)
 RUN_STARTED = Notice("run_started", "Running “{name}”", Level.INFO, EventKind.COMMAND)
 PAUSE_HOLDS = Notice(
     "pause_holds",
@@ -35,6 +42,9 @@ PAUSE_HOLDS = Notice(
     Asker.RUN,
 )
 RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
+
+UNKNOWN_FOR_S: Final = 1.0
+"""What a run must know of the arm may be missing for so long."""
 
 
 class Execution(QObject, ControllerPart):
@@ -65,6 +75,7 @@ class Execution(QObject, ControllerPart):
         self._since_s = 0.0
         self._started: Started | None = None
         self.speed_percent = 100
+        self._known_s, self._known = 0.0, True
         self._untold = False
         """The speed of now could not be told the arm yet."""
         self._hold = PauseCommand(context)
@@ -150,7 +161,21 @@ class Execution(QObject, ControllerPart):
 
     # What both do the same way ----------------------------------------------------------------
 
+    def _reason(self) -> Refusal | None:
+        """Return why the run cannot go on; what is not known for a moment is waited for."""
+        reason = self._context.operating_state().cannot_run
+        now_s = self._context.clock()
+        self._known = reason is None or reason.reason not in PASSING
+        if self._known:
+            self._known_s = now_s
+            return reason
+        return reason if now_s - self._known_s > UNKNOWN_FOR_S else None
+
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
+        gap, now_s = self._context.state().gap, self._context.clock()
+        late = gap is not None and gap.value > PAUSE_S and gap.fresh(now_s)
+        if gap is not None and late and reason.reason in PASSING:  # not the arm's doing (S37)
+            reason = RUN_GAP(seconds=round(gap.value, 1))
         self._hold.drop()
         abort_motion_for(self._context, reason)
         self._end(RunPhase.FAILED)

@@ -26,7 +26,7 @@ from armui.control.operations.operation import Consent, declare, operation, reco
 from armui.control.operations.started import Ending, Started
 from armui.control.parameters.planning_model import planning_model
 from armui.control.run.arrival import Arrival, ArrivalWatch
-from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
+from armui.control.run.execution import RUN_DONE, RUN_STARTED, UNKNOWN_FOR_S, Execution
 from armui.control.run.progress import (
     ENDLESS,
     Progress,
@@ -39,7 +39,7 @@ from armui.control.run.progress import (
 from armui.control.run.replay import RUN_EMPTY
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
 from armui.control.safety.gate import MotionRequest
-from armui.control.safety.interlocks import PASSING, SPEED_ZERO
+from armui.control.safety.interlocks import SPEED_ZERO
 from armui.protocol.codes import MoveMode
 from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import GripperAction, Waypoint
@@ -88,9 +88,6 @@ _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 
 
-_UNKNOWN_FOR_S: Final = 1.0
-
-
 def why_not_run(now: OperatingState) -> Refusal | None:
     """Return why no trajectory may be run now, whichever it is, or ``None``."""
     zero = SPEED_ZERO() if now.speed_percent == 0 else None
@@ -130,8 +127,6 @@ class Player(Execution):
         self._paused_phase = RunPhase.IDLE
         self._paused_s = 0.0
         self._looked_s = 0.0
-        self._known_s = 0.0
-        self._known = True
         self._index = 0
         self._cycle = 1
         self._watch: ArrivalWatch | None = None
@@ -290,16 +285,6 @@ class Player(Execution):
             self._tell_hold()
         self._publish()
 
-    def _reason(self) -> Refusal | None:
-        """Return why the run cannot go on; what is not known for a moment is waited for."""
-        reason = self._context.operating_state().cannot_run
-        now_s = self._context.clock()
-        self._known = reason is None
-        if reason is None or reason.reason not in PASSING:
-            self._known_s = now_s
-            return reason
-        return reason if now_s - self._known_s > _UNKNOWN_FOR_S else None
-
     def _follow_motion(self) -> None:
         run, watch, schedule = self._run, self._watch, self._schedule
         if self._owed:
@@ -409,7 +394,7 @@ class Player(Execution):
         if self._phase is not RunPhase.MOVING:
             return  # it has been ended already
         self._owed = refusal.reason == FEEDBACK_SILENT
-        if not self._owed or self._context.clock() - self._due_s > _UNKNOWN_FOR_S:
+        if not self._owed or self._context.clock() - self._due_s > UNKNOWN_FOR_S:
             self._fail(refusal)
 
     def _on_sent(self, point: Waypoint) -> None:

@@ -8,7 +8,7 @@ from typing import Final
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-from armui.arm.refusal import Reason, Refusal
+from armui.arm.refusal import Refusal
 from armui.control.events import Notice
 from armui.control.motion.joint_motion import COME_INSIDE_PERCENT
 from armui.control.motion.motion_command import CommandKind, MotionCommand
@@ -17,7 +17,7 @@ from armui.control.motion.requests import joint_request
 from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.run.arrival import Arrival, ArrivalWatch
-from armui.control.run.execution import RUN_DONE, RUN_STARTED, Execution
+from armui.control.run.execution import RUN_DONE, RUN_GAP, RUN_STARTED, Execution
 from armui.control.run.player import (
     NOT_PAUSED,
     NOT_RUNNING,
@@ -43,11 +43,6 @@ from armui.telemetry.events import Asker, EventKind, Level
 from armui.trajectory.points.program import Waypoint
 from armui.ways.passes import Pass
 
-REPLAY_GAP = Reason(
-    "replay_gap",
-    "The program, the computer or the adapter stood still for {seconds} s, so the replay was "
-    "ended. Let the computer do less beside it, keep it from sleeping, and start the replay anew.",
-)
 REPLAY_PAUSED = Notice("replay_paused", "Replay pauses", Level.INFO, EventKind.COMMAND)
 REPLAY_CONTINUED = Notice("replay_continued", "Replay continues", Level.INFO, EventKind.COMMAND)
 REPLAY_ENDED = Notice(
@@ -227,13 +222,15 @@ class Replayer(Execution):
         replay = self._replay
         if replay is None or not self.running:
             return
-        reason = self._why_late() or self._context.operating_state().cannot_run
+        reason = self._reason()
+        if self._known:
+            reason = self._why_late() or reason
         if reason is not None:
             self._fail(reason)
+        elif not self._known or (self._phase is RunPhase.MOVING and self._passed is None):
+            pass  # it is waited for, or the gate is still checking the way (S35)
         elif self._phase is RunPhase.STOPPING:
             self._follow_rest(replay)
-        elif self._phase is RunPhase.MOVING and self._passed is None:
-            pass  # the gate is still checking the way (S35)
         elif self._phase is RunPhase.MOVING and self._watch is not None:
             self._follow_approach(self._watch)
         elif self._phase is RunPhase.MOVING or self._comes_to_a_stand(replay):
@@ -364,7 +361,7 @@ class Replayer(Execution):
         gap_s = self._context.clock() - self._since_s
         if gap_s < _LONGEST_GAP_S:
             return None
-        return REPLAY_GAP(seconds=round(gap_s, 1))
+        return RUN_GAP(seconds=round(gap_s, 1))
 
     def _stream(self, replay: Replay) -> None:
         now_s = self._context.clock()
