@@ -12352,6 +12352,10 @@ The other program must have ended.</source>
         <translation>机械臂离工作区的“{name}”过近：{part}，差 {value} mm；这样会更近。请移开。</translation>
     </message>
     <message>
+        <source>The gripper is moving. Wait until it stands still, then press again.</source>
+        <translation>夹爪仍在运动。请等它停稳后再按。</translation>
+    </message>
+    <message>
         <source>The gripper was disabled while it ran: the arm was told to end its motion. See what it held.</source>
         <translation>运行中夹爪被失能，已令机械臂结束运动。请检查所夹工件。</translation>
     </message>

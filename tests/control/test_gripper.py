@@ -108,6 +108,15 @@ def test_its_zero(arm2):
     assert arm2.firmware.gripper.travel == 0.0
 
 
+def test_a_gripper_that_moves_gets_no_zero(arm2):
+    accepted(arm2.gripper.move(60.0, 1.0))
+    arm2.run_until(lambda: arm2.firmware.gripper.travel > 5.0)
+    before = sent(arm2)
+    assert refusal_of(arm2.gripper.set_zero()).code == "gripper_moves"
+    arm2.run_until(lambda: told(arm2, "gripper_there"))
+    assert sent(arm2) == before
+
+
 def test_generation_1_has_no_zero(any_rig, generation):
     any_rig.connect()
     refusal = refusal_of(any_rig.controller.gripper.set_zero())

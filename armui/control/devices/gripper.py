@@ -39,6 +39,9 @@ if TYPE_CHECKING:
 GRIPPER_SILENT = Reason(
     "gripper_silent", "No gripper is heard. If one is mounted, check its cable and its power."
 )
+GRIPPER_MOVES = Reason(
+    "gripper_moves", "The gripper is moving. Wait until it stands still, then press again."
+)
 GRIPPER_NO_ZERO = Reason(
     "gripper_no_zero", "The gripper of a generation 1 arm has no command for its zero."
 )
@@ -393,10 +396,13 @@ class GripperControl(RequestingPart[str]):
     @operation(
         "gripper.set_zero", "Set the gripper's zero", why_not_set_zero, consent=Consent.PRESS
     )
-    def set_zero(self, started: Started) -> None:
+    def set_zero(self, started: Started) -> Refusal | None:
         """Make the gripper's present place its zero (generation 2); it has no power afterwards."""
+        if self._travel is not None:
+            return GRIPPER_MOVES()
         frames = commands.set_gripper_zero(self._context.connection.codec)
         self._start(started, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
+        return None
 
     # How it is carried out --------------------------------------------------------------------
 
