@@ -19,6 +19,7 @@ from tests.picture_hand import Hand
 OUT = (20.0, 60.0, -70.0, 10.0, 35.0, 15.0)
 POSE = {"X": 300.0, "Y": 40.0, "Z": 250.0, "RX": 0.0, "RY": 85.0, "RZ": 0.0}
 MOTION_FRAMES = {*range(0x150, 0x160)} - {0x15A, 0x15F}
+INTO_ITSELF = (-12.0, 83.0, -3.0, 32.0, 40.0, 70.0)
 BELOW = (10.0, 125.0, -60.0, 15.0, 40.0, 20.0)
 PREVIEW = "Preview of the target: it has not been sent"
 
@@ -85,6 +86,17 @@ def test_a_typed_joint_target_has_a_ghost_and_a_needle_and_the_arm_stays(at):
     slider = at.app_driver.find("target_slider_2")
     assert slider.requested == pytest.approx(60.0)
     assert slider.measured == pytest.approx(0.0, abs=0.1)
+
+
+@pytest.mark.usefixtures("no_motion")
+def test_a_target_in_which_the_arm_would_touch_itself_is_told_before_it_is_sent(at):
+    type_joints(at, INTO_ITSELF)
+    assert at.ghost == pytest.approx(INTO_ITSELF)
+    assert "would hit itself" in note(at)
+    at.app_driver.click("send_button")
+    assert "would hit itself" in at.app_driver.read("motion_message")
+    at.look()
+    assert "would hit itself" not in note(at)
 
 
 @pytest.mark.usefixtures("no_motion")
@@ -184,7 +196,7 @@ def test_the_touching_ghost_goes_with_the_typed_target(at):
     at.app_driver.type_into("target_field_1", "21")
     assert finding(at) is None
     assert at.ghost == pytest.approx((21.0, *OUT[1:]))
-    assert note(at) == PREVIEW
+    assert "from “wall” of the work area" in note(at), "of the new target"
 
 
 @pytest.mark.usefixtures("no_motion")

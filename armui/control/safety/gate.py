@@ -222,6 +222,16 @@ class Gate(ControllerPart):
         rules = self.rules()
         return None if rules is None else _judge(way, rules, self._marks).refusal
 
+    def judge_target(self, joints_deg: Sequence[float]) -> Refusal | None:
+        """Return why no motion may end at six angles, or ``None``; its way is judged when sent."""
+        rules, measured_deg = self.rules(), self._context.authority.measured_deg()
+        if rules is None or measured_deg is None:
+            return None
+        from armui.ways.law import judge_end  # noqa: PLC0415 - numpy
+        from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
+
+        return judge_end(straight_way(measured_deg, joints_deg), rules.every, self._marks)
+
     def ask(self, way: Way) -> Pass | Refusal:
         """Return the pass for a way, or why it may not be driven."""
         rules = self.rules()

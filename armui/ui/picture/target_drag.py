@@ -575,7 +575,8 @@ class TargetDrag(QObject):
         if typed is None or ghost_deg is None:
             return None
         below_mm = -round(self._controller.jog_floor.height_mm(typed))
-        return TARGET_BELOW(value=below_mm) if below_mm > 0 else self._preview_text
+        low = TARGET_BELOW(value=below_mm) if below_mm > 0 else None
+        return self._controller.gate.judge_target(typed) or low or self._preview_text
 
     @property
     def _zone_kind(self) -> HandleKind:
