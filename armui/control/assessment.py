@@ -83,7 +83,7 @@ def assess(
         limits_read=(r1, r2, r3, r4, r5, r6),
         moving=known.link is LinkState.ONLINE
         and known.stop is StopState.RUNNING
-        and (bool(authority.holds) or authority.under_way or _on_its_way(state, authority)),
+        and (bool(authority.holds) or authority.about_to_move or _on_its_way(state, authority)),
         addressing=offsets.addressing,
         control_certain=offsets.certain,
         outside=_outside(state, limits),

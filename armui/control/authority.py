@@ -62,6 +62,8 @@ ARRIVED_DEG: Final = 0.5
 
 _TAKEN_IN_S: Final = 0.3
 """For this long after a frame was sent, the status last heard may be older than the frame."""
+_BEGINS_S: Final = 0.1
+"""An arm that was given a target says within this time that it has not reached it."""
 _SHOWN_S: Final = 0.05
 """A status this much later than a mode word was reported after it."""
 _REST_SHOWS_S: Final = 0.4
@@ -187,6 +189,17 @@ class Authority:
         if seen is None or command is None:
             return False
         return command.sent_s > self._taken_in_s or self.moves
+
+    @property
+    def about_to_move(self) -> bool:
+        """True from a command of ours on, or a word to go on, until the arm has had the time for it.
+
+        It is not measured to move by then, and may wait for the adapter.
+        """
+        status = None if self._seen is None else self._seen.state.status
+        given_s = max(self._given_s, self._mode_left_s)
+        told = status is not None and status.at_s >= given_s + _BEGINS_S
+        return self.command is not None and not told
 
     @property
     def moves(self) -> bool:

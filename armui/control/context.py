@@ -118,7 +118,7 @@ class Context:
         checked against it, and is not measured to move yet.
         """
         refusal = why_moving(self.state())
-        about_to = self.authority.under_way or self.operating_state().moving
+        about_to = self.authority.about_to_move or self.operating_state().moving
         return refusal or (STILL_MOVING() if about_to else None)
 
     def send_motion(
