@@ -99,9 +99,29 @@ ADAPTER_TOOL_HANGS = Reason(
 ADAPTER_TOOL_FAILED = Reason("adapter_tool_failed", "The system refused it: {text}.")
 ADAPTER_SYSTEM = Reason("adapter_system", "The system refused it: {text}.")
 _SENTENCES: Final = {
-    each.id: each for each in tuple(globals().values()) if isinstance(each, Reason)
+    each.id: each
+    for each in (
+        ADAPTER_NO_INTERFACE,
+        ADAPTER_NOT_CAN,
+        ADAPTER_BAD_BITRATE,
+        ADAPTER_BAD_NAME,
+        ADAPTER_NAME_TAKEN,
+        ADAPTER_NO_SERIAL,
+        ADAPTER_BAD_SERIAL,
+        ADAPTER_NO_CHANNEL,
+        ADAPTER_NOT_USB,
+        ADAPTER_NOT_OURS,
+        ADAPTER_NOT_KEPT,
+        ADAPTER_NO_BITRATE,
+        ADAPTER_NOT_UP,
+        ADAPTER_NOT_DOWN,
+        ADAPTER_TOOL_MISSING,
+        ADAPTER_TOOL_HANGS,
+        ADAPTER_TOOL_FAILED,
+        ADAPTER_SYSTEM,
+    )
 }
-"""The reasons for a refusal, by code: the helper's among them."""
+"""The helper's reasons for a refusal, by code."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -155,8 +155,22 @@ LIMITS_DAMAGED = OfArm(
     "accelerations to factory values (0x477), then read and set each.",
 )
 
-_KINDS: Final = {each.id: each for each in tuple(globals().values()) if isinstance(each, OfArm)}
-"""The kinds by id: a reason why a device was not opened has that of its finding."""
+_PROBLEMS: Final = {
+    each.id: each
+    for each in (
+        BUS_BACKEND_MISSING,
+        BUS_BACKEND_NOT_PACKED,
+        BUS_DRIVER_MISSING,
+        BUS_GONE,
+        BUS_BUSY,
+        BUS_DOWN,
+        BUS_PERMISSION,
+        BUS_BAD_ARGUMENT,
+        BUS_DEAF,
+    )
+}
+"""The kind of finding for each reason why a device was not opened; any other means that it failed.
+"""
 
 _NORMAL: Final = 0
 _EMERGENCY_STOP: Final = 1
@@ -232,7 +246,7 @@ def _not_opened(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:
         commands = (_UDEV_RULE, "sudo udevadm control --reload && sudo udevadm trigger")
         port = heard.channel.removeprefix("/dev/")
         remedies = () if port == heard.channel else (("remember", port),)
-    return _KINDS.get(heard.problem, BUS_FAILED)(*commands, **params).mended_by(*remedies)
+    return _PROBLEMS.get(heard.problem, BUS_FAILED)(*commands, **params).mended_by(*remedies)
 
 
 def _no_arm(heard: HeardFacts, base: dict[str, str]) -> Diagnosis:

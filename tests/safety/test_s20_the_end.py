@@ -201,6 +201,7 @@ def test_the_end_of_a_run_leaves_though_the_device_is_closed_behind_it(rig, monk
     rig.heard()
     rig.hold_driver()
     accepted(rig.controller.motion.set_speed_percent(50))
+    rig.step()  # the driver has it by then: the window's thread may not send past it
     bus_thread = rig.controller._connection._worker
     rig.controller.disconnect_device()
     rig.free_driver()
