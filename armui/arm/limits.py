@@ -18,8 +18,8 @@ JOINT_NOT_A_NUMBER = Reason(
 )
 JOINTS_OUTSIDE = Reason(
     "joints_outside",
-    "Outside the limits: {joints}. Until all are inside the arm takes no target but a run. Hold "
-    "Move inside in the line above the panels.",
+    "Outside the limits: {joints}. Until all are inside the arm takes only a run, or a target with "
+    "all joints inside. Hold Move inside in the line above the panels.",
 )
 JOINT_OUT_OF_LIMITS = Reason(
     "joint_out_of_limits",

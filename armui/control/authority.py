@@ -192,7 +192,7 @@ class Authority:
 
     @property
     def about_to_move(self) -> bool:
-        """True from a command of ours on, or a word to go on, until the arm has had the time for it.
+        """True from a command or a word to go on of ours, until the arm has had the time for it.
 
         It is not measured to move by then, and may wait for the adapter.
         """

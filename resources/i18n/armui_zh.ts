@@ -11487,6 +11487,10 @@ The other program must have ended.</source>
         <translation>解除急停时反馈跳变：{joints}。关节的实际位置与上报值相差这么多；此前示教的点或设置的零点可能有同样的偏差。</translation>
     </message>
     <message>
+        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes only a run, or a target with all joints inside; hold Move inside: these move slowly, all at once, then J5 if the hand lies on the base.</source>
+        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂只接受轨迹运行或各关节均在限位内的目标；请按住“回到限位内”：这些关节一起缓慢移动，手部贴着底座时 J5 随后也会移动。</translation>
+    </message>
+    <message>
         <source>Outside its limits: {outside}. Hold Move inside.</source>
         <translation>位于限位之外：{outside}。请按住“回到限位内”。</translation>
     </message>
@@ -11577,10 +11581,6 @@ The other program must have ended.</source>
     <message>
         <source>Nothing is heard from the motor of joint {joints}. If it stays so, check power and cable, and connect again.</source>
         <translation>没有收到关节 {joints} 的电机反馈。若持续如此，请检查电源和线缆，然后重新连接。</translation>
-    </message>
-    <message>
-        <source>Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm takes no target but a run; hold Move inside: these move slowly, all at once, then J5 if the hand lies on the base.</source>
-        <translation>位于限位之外（静置的机械臂即如此）：{outside}。回到限位内之前，机械臂只接受轨迹运行，不接受其他目标；请按住“回到限位内”：这些关节一起缓慢移动，手部贴着底座时 J5 随后也会移动。</translation>
     </message>
     <message>
         <source>Joint {joints} beyond its limit: the target was not taken. Send one within the limits.</source>
@@ -12200,6 +12200,10 @@ The other program must have ended.</source>
         <translation>{figure}：{value} 超出范围。请输入 {minimum} 至 {maximum} 的整数。</translation>
     </message>
     <message>
+        <source>Outside the limits: {joints}. Until all are inside the arm takes only a run, or a target with all joints inside. Hold Move inside in the line above the panels.</source>
+        <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂只接受轨迹运行或各关节均在限位内的目标。请按住面板上方提示行中的“回到限位内”。</translation>
+    </message>
+    <message>
         <source>Joint {joint}: {value}° is beyond its limits of {minimum}° to {maximum}°. Enter an angle within them.</source>
         <translation>关节 {joint}：{value}° 超出限位 {minimum}° 至 {maximum}°。请输入限位以内的角度。</translation>
     </message>
@@ -12342,10 +12346,6 @@ The other program must have ended.</source>
     <message>
         <source>“{client}” asks for the arm, or holds it. Wait until it is free, or have the operator take it back.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
-    </message>
-    <message>
-        <source>Outside the limits: {joints}. Until all are inside the arm takes no target but a run. Hold Move inside in the line above the panels.</source>
-        <translation>位于限位之外：{joints}。全部回到限位内之前，机械臂只接受轨迹运行，不接受其他目标。请按住面板上方提示行中的“回到限位内”。</translation>
     </message>
     <message>
         <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>

@@ -240,7 +240,7 @@ class Motion(ControllerPart):
     def come_inside(self, started: Started) -> Refusal | None:
         """Bring an arm that lies outside its limits inside, slowly; its hand leaves its base then.
 
-        All joints come inside together: until then the arm takes no target but a run.
+        All joints come inside together: until then the arm takes only what has all of them inside.
         """
         targets = self._context.gate().ways_inside()
         return self._come_inside(started, targets) if targets else NOTHING_OUTSIDE()

@@ -373,8 +373,8 @@ class StepKind(enum.Enum):
     OUTSIDE = StepText(
         "outside",
         "Outside its limits, as a resting arm lies: {outside}. Until it is brought inside the arm "
-        "takes no target but a run; hold Move inside: these move slowly, all at once, then J5 if "
-        "the hand lies on the base.",
+        "takes only a run, or a target with all joints inside; hold Move inside: these move "
+        "slowly, all at once, then J5 if the hand lies on the base.",
         "",
         "Outside its limits: {outside}. Hold Move inside.",
     )
