@@ -13356,6 +13356,10 @@ The other program must have ended.</source>
         <translation>这是 CAN 日志，不含轨迹点。请在“日志”中用“回放其他日志…”打开。</translation>
     </message>
     <message>
+        <source>Several rows are chosen. Choose the one to run.</source>
+        <translation>选择了多行。请只选择要运行的一行。</translation>
+    </message>
+    <message>
         <source>The points have been changed since that run began: it cannot go on from a row of theirs. Choose “From row” and press Run.</source>
         <translation>该次运行开始后轨迹点已修改，不能从其中某行继续。请选择“起始行”，再按“发送”。</translation>
     </message>

@@ -34,6 +34,7 @@ def test_what_needs_a_choice_says_so(driver):
     driver.choose("one", "two")
     assert driver.child("delete").isEnabled()
     assert not driver.child("rename").isEnabled()
+    assert "Several rows are chosen" in driver.app_driver.find("run_send").toolTip()
 
 
 def test_a_new_one_is_created_and_opened(driver):

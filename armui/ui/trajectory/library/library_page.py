@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QModelIndex, QTimer, Signal
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QHeaderView
 
-from armui.arm.refusal import Refusal
+from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.events import Level
 from armui.control.operating_state import OperatingState
@@ -62,6 +62,7 @@ from armui.ui.widgets.layouts import fill
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.page import Page
 
+SEVERAL_CHOSEN = Reason("several_chosen", "Several rows are chosen. Choose the one to run.")
 _PAUSE_MS: Final = 300
 """So long a list stands before lengths are worked out: what it is asked for comes first."""
 
@@ -391,7 +392,8 @@ class LibraryPage(Page):
         self._folder_bar.show_chosen()
         one = chosen[0] if len(chosen) == 1 else None
         recording = one is not None and one.kind == "recording"
-        nothing = NO_ROWS_CHOSEN() if one is None else self._model.why_empty(one)
+        none = SEVERAL_CHOSEN() if chosen else NO_ROWS_CHOSEN()
+        nothing = none if one is None else self._model.why_empty(one)
         name, count, speeds = ("", 0, ()) if one is None else (one.name, one.count, one.speeds)
         self._run_bar.show_content(
             name,
