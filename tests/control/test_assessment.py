@@ -255,6 +255,14 @@ def test_one_that_was_just_sent_counts_as_moving_before_it_is_measured(console):
     assert console.assess().moving is False
 
 
+def test_frames_that_wait_move_no_arm_that_has_arrived(console):
+    console.arm.send()
+    console.arm.wait(0.5)
+    console.arm.waiting = True  # a question, a lamp
+    console.arm.wait(0.5)
+    assert console.assess().moving is False
+
+
 def test_before_the_status_is_heard_nothing_moves(console):
     moves(console)
     console.changes["status"] = None

@@ -321,16 +321,21 @@ def test_an_arm_is_not_made_to_drop_on_identifiers_nobody_knows(uncertain):
     assert uncertain.ear.heard == []
 
 
-def test_what_a_motion_was_checked_against_is_kept_from_its_press_on(ready):
-    """It is not measured to move yet, and may wait for the adapter for longer than here."""
+@pytest.mark.parametrize("waits_s", [0.0, 0.3])
+def test_what_a_motion_was_checked_against_is_kept_from_its_press_on(ready, waits_s):
+    """It is not measured to move yet, and may wait for the adapter."""
     kept = {name: SETTINGS[name] for name in ("zero one", "zero all", "limit", "collision", "load")}
     kept |= {name: SETTINGS[name] for name in ("factory joint limits", "linkage", "no linkage")}
     kept["mounting"] = lambda rig: rig.controller.mounting.tell(Mounting.LEVEL)
     kept["cell"] = lambda rig: rig.controller.cell.take(Cell("bench", (Tool("pen"),), "pen"))
     ready.controller.motion.set_speed_percent(1)
     ready.run(0.5)
+    if waits_s:
+        ready.hold_driver()
     accepted(ready.controller.motion.send_joints(OUT))
     ready.ear.heard.clear()
+    ready.run(waits_s)
     assert None not in refused(ready, kept).values()
-    ready.step()
+    ready.free_driver()
+    ready.run(0.02)
     assert ids(ready) == {0x151, 0x155, 0x156, 0x157}

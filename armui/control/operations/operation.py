@@ -6,7 +6,7 @@ import enum
 import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import wraps
+from functools import partial, wraps
 from typing import TYPE_CHECKING, Any, Concatenate, Final, ParamSpec, Protocol, TypeVar
 
 from armui.arm.figures import check_arguments
@@ -128,14 +128,13 @@ def operation(
             started = Started(name)
             given = signature.bind(part, started, *args, **kwargs)
             given.apply_defaults()
-            now = context.refresh()
-            refusal = why_not(now, **{each: given.arguments[each] for each in asked})
-            refusal = refusal or check_arguments(method, given.arguments)
+            why_not_now = partial(why_not, **{each: given.arguments[each] for each in asked})
+            refusal = why_not_now(context.refresh()) or check_arguments(method, given.arguments)
             if refusal is None:
                 before = context.authority.revision
                 context.begun(name)  # before it sends: what ends by it drops nothing of it
                 if context.authority.revision != before:  # what it was about may have ended by it
-                    refusal = why_not(context.refresh(), **{e: given.arguments[e] for e in asked})
+                    refusal = why_not_now(context.refresh())
             if refusal is None:
                 refusal = method(part, started, *args, **kwargs)
             if refusal is None:

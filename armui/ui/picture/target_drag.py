@@ -558,7 +558,7 @@ class TargetDrag(QObject):
         *,
         leads_inside: bool,
     ) -> Refusal | Callable[[], str] | None:
-        """Return the note beside the picture: why there is no ghost, or what the one in it means.
+        """Return the note beside the picture: why there is no ghost, or what is to be known of it.
 
         Args:
             target: The target, if there is one.
