@@ -30,7 +30,7 @@ from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT, AreaCheck
 from armui.cell.enclosure import Body, Capsule
 from armui.cell.work_area import Area, AreaPlane
 from armui.kinematics.poses import matrix_to_pose
-from armui.ways.law import Excess, Rule
+from armui.ways.law import Excess, Rule, first_breach
 from armui.ways.own_body import OwnBody
 from armui.ways.way import Array, Way, with_ramps
 
@@ -309,6 +309,22 @@ class Rules:
             each.min_deg <= angle <= each.max_deg
             for angle, each in zip(joints_deg, self.arm.limits, strict=True)
         )
+
+    def lowest_mm(self, way: Way, agreed_mm: float) -> float | None:
+        """Return how low over the floor a way leads, if that is below a height, else ``None``.
+
+        Args:
+            way: The way; an arm that begins below the height may stay, or come back.
+            agreed_mm: The height; where a lowest one is chosen, that alone is asked.
+        """
+        if any(rule.name == FLOOR for rule in self.every):
+            return None
+        ramped, floor = self.ramped(way), FloorRule(self.arm, agreed_mm)
+        breach = first_breach(ramped, floor)
+        if breach is None:
+            return None
+        deepest = float(floor.outside(floor.finely(ramped)).max())
+        return agreed_mm - max(deepest, breach.outside)
 
     @property
     def are_bounded(self) -> bool:

@@ -223,12 +223,23 @@ class Cartesian(ControllerPart):
         first=drop_waiting,
     )
     def move(
-        self, started: Started, target: Annotated[Sequence[float], "mm, °"], move_mode: MoveMode
+        self,
+        started: Started,
+        target: Annotated[Sequence[float], "mm, °"],
+        move_mode: MoveMode,
+        agreed_mm: Annotated[float, "mm"] = 0.0,
     ) -> Refusal | None:
-        """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L."""
+        """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L.
+
+        Args:
+            started: The record of the command.
+            target: The pose.
+            move_mode: MOVE P or MOVE L.
+            agreed_mm: The height over the floor down to which the operator has agreed to go.
+        """
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
-        return self._move(started, target, move_mode, notice, figures)
+        return self._move(started, target, move_mode, notice, figures, agreed_mm=agreed_mm)
 
     @operation("tool.step", "Move the tool by a step", why_not_move, moves=True)
     def step(
@@ -270,7 +281,10 @@ class Cartesian(ControllerPart):
         first=drop_waiting,
     )
     def move_arc(
-        self, started: Started, *points: Annotated[Sequence[float], Count(3), "mm, °"]
+        self,
+        started: Started,
+        *points: Annotated[Sequence[float], Count(3), "mm, °"],
+        agreed_mm: Annotated[float, "mm"] = 0.0,
     ) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 
@@ -279,6 +293,7 @@ class Cartesian(ControllerPart):
         Args:
             started: The record of the command.
             *points: Start, middle and end.
+            agreed_mm: As in :meth:`move`.
         """
         start, middle, end = (flange_pose(point, self.tool) for point in points)
         context = self._context
@@ -291,6 +306,7 @@ class Cartesian(ControllerPart):
         way = (start, middle, end)
         request = self._request(started, MoveMode.MOVE_C, points[-1], self._plan_arc(points))
         request = replace(request, frames=frames, tool_way=way, told=(SENT_ARC, {}))
+        request = replace(request, agreed_mm=agreed_mm)
         return context.gate().send(request)
 
     def _plan_arc(self, points: Sequence[Sequence[float]]) -> Plan:
@@ -316,6 +332,8 @@ class Cartesian(ControllerPart):
         move_mode: MoveMode,
         notice: Notice,
         figures: dict[str, object],
+        *,
+        agreed_mm: float | None = None,
     ) -> Refusal | None:
         context = self._context
         flange = flange_pose(target, self.tool)
@@ -330,6 +348,7 @@ class Cartesian(ControllerPart):
         request = self._request(started, move_mode, target, self._plan(target, move_mode))
         way = (flange,) if move_mode is MoveMode.MOVE_L else ()
         request = replace(request, frames=frames, tool_way=way, told=(notice, figures))
+        request = replace(request, agreed_mm=agreed_mm)
         return context.gate().send(request)
 
     def _request(

@@ -190,7 +190,7 @@ class Motion(ControllerPart):
             target_deg[joint - 1] = clipped(asked, limits[joint - 1])
         figures = {"joint": joint, "target": target_deg[joint - 1]}
         notice = JOGGED if target_deg[joint - 1] == asked else LED_TO_LIMIT
-        return self._move(started, target_deg, notice, **figures)
+        return self._move(started, target_deg, notice, None, **figures)
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:
         """Return whether the arm lags so far that a held button should not step on."""
@@ -208,10 +208,20 @@ class Motion(ControllerPart):
         first=drop_waiting,
     )
     def send_joints(
-        self, started: Started, angles_deg: Annotated[Sequence[float], "°"]
+        self,
+        started: Started,
+        angles_deg: Annotated[Sequence[float], "°"],
+        agreed_mm: Annotated[float, "mm"] = 0.0,
     ) -> Refusal | None:
-        """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151)."""
-        return self._move(started, angles_deg, SENT_JOINTS, **reports.numbered(angles_deg))
+        """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151).
+
+        Args:
+            started: The record of the command.
+            angles_deg: The angles.
+            agreed_mm: The height over the floor down to which the operator has agreed to go.
+        """
+        figures = reports.numbered(angles_deg)
+        return self._move(started, angles_deg, SENT_JOINTS, agreed_mm, **figures)
 
     @operation(
         "motion.home",
@@ -220,9 +230,9 @@ class Motion(ControllerPart):
         moves=True,
         first=drop_waiting,
     )
-    def go_home(self, started: Started) -> Refusal | None:
-        """Move to the factory zero angles."""
-        return self._move(started, _HOME_DEG, WENT_HOME)
+    def go_home(self, started: Started, agreed_mm: Annotated[float, "mm"] = 0.0) -> Refusal | None:
+        """Move to the factory zero angles; see :meth:`send_joints`."""
+        return self._move(started, _HOME_DEG, WENT_HOME, agreed_mm)
 
     def _drop_inside(self) -> None:
         """Drop what waits, and the second part of the way back: it is looked for anew."""
@@ -283,7 +293,12 @@ class Motion(ControllerPart):
                 self._context.refuse(refusal)
 
     def _move(
-        self, started: Started, angles_deg: Sequence[float], notice: Notice, **figures: object
+        self,
+        started: Started,
+        angles_deg: Sequence[float],
+        notice: Notice,
+        agreed_mm: float | None,
+        **figures: object,
     ) -> Refusal | None:
         """Send six angles if that may be, and tell so with a notice."""
         context = self._context
@@ -295,7 +310,7 @@ class Motion(ControllerPart):
             why_not=why_not_move,
             told=(notice, figures),
         )
-        return context.gate().send(request)
+        return context.gate().send(replace(request, agreed_mm=agreed_mm))
 
     def follow_arm(self) -> None:
         """Restore the operator's speed after a motion, and repeat a lower speed that is due.

@@ -8,6 +8,7 @@ is worked out in a thread, and counts only while nothing it depends on has chang
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Container, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -54,6 +55,11 @@ WAY_UNKNOWN = Reason(
     "Nobody knows which way the arm would take, and a work area or a lowest height is in force. "
     "Switch its planes and boxes off under Cell, or the height under Settings, first.",
 )
+LEADS_BELOW = Reason(
+    "leads_below",
+    "The arm would come {value} mm below the floor. Go there only if nothing is there. A lowest "
+    "height under Settings says once and for all how low motions may go.",
+)
 CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMAND, streams=True)
 
 _WITHIN_S: Final = 0.95
@@ -91,6 +97,8 @@ class MotionRequest:
             none.
         why_not: Returns what speaks against it beside its way, from the operating state.
         joints_deg, tool, leads_away, tool_way, keep_s: As in :meth:`Context.send_motion`.
+        agreed_mm: The height over the floor down to which the operator has agreed to go, where no
+            lowest one is chosen; ``None`` if that is not asked.
         told: The notice, with its figures, that the operator is told once it is sent.
         sent: Called with the command once it is sent.
         refused: Called with the reason if it is refused after :meth:`Gate.send` has returned.
@@ -109,6 +117,7 @@ class MotionRequest:
     tool_way: Sequence[Sequence[float]] = ()
     keep_s: float | None = None
     most_percent: int = 100
+    agreed_mm: float | None = None
     told: tuple[Notice, Mapping[str, object]] | None = None
     sent: Callable[[MotionCommand], object] = _nothing
     refused: Callable[[Refusal], object] | None = None
@@ -337,8 +346,9 @@ class Gate(ControllerPart):
         if refusal is not None or measured_deg is None:
             return refusal or context.authority.why_unmeasured()
         planned = request.plan(measured_deg)
-        if isinstance(planned, Refusal):
-            return planned
+        refusal = planned if isinstance(planned, Refusal) else self._asks_first(request, planned)
+        if refusal is not None or isinstance(planned, Refusal):
+            return refusal
         state, now_s = context.connection.newest, context.clock()
         self._rest.observe(state, now_s)
         motion = momentum(state, self._accelerations(), now_s)
@@ -361,6 +371,18 @@ class Gate(ControllerPart):
         pending = self._wait_for(request)
         self._begin_check(pending, rules, planned)
         return self._follow(pending)
+
+    def _asks_first(self, request: MotionRequest, way: Way) -> Refusal | None:
+        """Return what the operator must agree to before a way is driven, or ``None``."""
+        rules = self.rules()
+        if rules is None or request.agreed_mm is None:
+            return None
+        lowest_mm = rules.lowest_mm(way, request.agreed_mm)
+        if lowest_mm is None:
+            return None
+        # nobody is asked about what is refused anyway
+        refusal = self._why_not_from(request, way.begin_deg)
+        return refusal or LEADS_BELOW(value=math.ceil(-lowest_mm))
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""

@@ -11,7 +11,9 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
-from armui.control.operations.started import ARM_CHANGED
+from armui.control.operations.started import ARM_CHANGED, Started, refusal_of
+from armui.control.safety.gate import LEADS_BELOW
+from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
@@ -92,6 +94,37 @@ def confirm(
     dialog.withdrawn.connect(on_withdrawn)
     dialog.open()
     return dialog
+
+
+def drive(
+    parent: QWidget,
+    controller: ArmController,
+    move: Callable[[float], Started | Refusal],
+    answered: Callable[[Refusal | None], object],
+) -> None:
+    """Send a single motion; one that leads below the floor is asked about, by a button to hold.
+
+    Args:
+        parent: The part of a window that asks.
+        controller: Receives the emergency stop.
+        move: Sends the motion, given the height down to which the operator agrees to go.
+        answered: Called with the reason if nothing was sent, else with ``None``; not at all if the
+            operator says no.
+    """
+    refusal = refusal_of(move(0.0))
+    if refusal is None or refusal.reason is not LEADS_BELOW:
+        answered(refusal)
+        return
+    agreed_mm = -float(str(refusal.params["value"]))
+    confirm(
+        parent.window(),
+        controller,
+        title=QCoreApplication.translate("ConfirmDialog", "Below the floor"),
+        text=words.refusal(refusal),
+        action_label=QCoreApplication.translate("ConfirmDialog", "Go there"),
+        on_confirmed=lambda: answered(refusal_of(move(agreed_mm))),
+        hold=True,
+    )
 
 
 class ConfirmDialog(ArmDialog):

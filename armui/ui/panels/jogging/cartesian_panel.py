@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Final
 
 from PySide6.QtWidgets import (
@@ -258,7 +259,7 @@ class CartesianPanel(JogPanel):
         self._follow_rows()
         self._tool.changed.connect(self._on_tool_changed)
         self._arc.capture_wanted.connect(self._on_capture)
-        self._arc.answered.connect(self._accepted)
+        self._arc.wanted.connect(self._drive)
         self._shown_frame.activated.connect(self._on_frame_chosen)
 
     def act_parts(self) -> Iterable[HasActs]:
@@ -403,7 +404,12 @@ class CartesianPanel(JogPanel):
         if target is None:
             self._accepted(self._nonsense() or POSE_UNKNOWN())
             return
-        self._sent = self._accepted(self._controller.cartesian.move(target, move_mode))
+        self._sent = False
+        self._drive(partial(self._controller.cartesian.move, target, move_mode), self._on_sent)
+        self.show_acts()
+
+    def _on_sent(self) -> None:
+        self._sent = True
         self.show_acts()
 
     def _forget_outdated(self, old: OperatingState) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Qt
@@ -242,7 +243,9 @@ class MotionPanel(JogPanel):
     def _connect(self) -> None:
         self._follow_rows()
         self._own_home.refused.connect(self._accepted)
-        self._own_home.sent.connect(lambda: self._release(*JOINTS))
+        self._own_home.wanted.connect(
+            lambda move: self._drive(move, partial(self._release, *JOINTS))
+        )
         self._own_home.kept.connect(self._on_home_kept)
 
     def act_parts(self) -> Iterable[HasActs]:
@@ -320,8 +323,7 @@ class MotionPanel(JogPanel):
 
     @home.pressed
     def _on_home(self) -> None:
-        if self._accepted(self._controller.motion.go_home()):
-            self._release(*JOINTS)
+        self._drive(self._controller.motion.go_home, partial(self._release, *JOINTS))
 
     @load.pressed
     def _on_load(self) -> None:
@@ -335,9 +337,13 @@ class MotionPanel(JogPanel):
         if targets_deg is None:
             unknown = next(row for row in self._rows if row.field.value is None)
             self._accepted(self._why_no_figure(unknown))
-        elif self._accepted(self._controller.motion.send_joints(targets_deg)):
-            self._untaken = targets_deg, self.given()
-            self._release(*JOINTS)
+        else:
+            move = partial(self._controller.motion.send_joints, targets_deg)
+            self._drive(move, partial(self._on_sent, targets_deg))
+
+    def _on_sent(self, targets_deg: tuple[float, ...]) -> None:
+        self._untaken = targets_deg, self.given()
+        self._release(*JOINTS)
 
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:

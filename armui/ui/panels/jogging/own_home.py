@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import Signal
@@ -16,7 +17,6 @@ from armui.control.events import Event, Level, Notice
 from armui.control.link.arm_key import arm_key
 from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.joint_motion import Motion
-from armui.control.operations.started import refusal_of
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.ui import format as fmt
 from armui.ui.actions.act import Act, HasActs
@@ -56,8 +56,8 @@ class OwnHome(HasActs, Translated, QWidget):
         typed: Returns the six angles in the panel, or ``None`` if one is invalid.
 
     Signals:
-        refused: A :class:`Refusal`, or ``None`` when it was sent.
-        sent: The motion was sent.
+        refused: A :class:`Refusal`, or ``None`` when it was set.
+        wanted: The motion is wanted: what sends it, as :func:`drive` takes it.
         kept: It was set: an :class:`Event` with the angles.
 
     Attributes:
@@ -65,7 +65,7 @@ class OwnHome(HasActs, Translated, QWidget):
     """
 
     refused = Signal(object)
-    sent = Signal()
+    wanted = Signal(object)
     kept = Signal(object)
 
     go = Act(
@@ -125,10 +125,7 @@ class OwnHome(HasActs, Translated, QWidget):
         if angles_deg is None:
             self.refused.emit(NO_OWN_HOME())
             return
-        refusal = refusal_of(self._controller.motion.send_joints(angles_deg))
-        self.refused.emit(refusal)
-        if refusal is None:
-            self.sent.emit()
+        self.wanted.emit(partial(self._controller.motion.send_joints, angles_deg))
 
     def _keep_measured(self) -> None:
         unheard = self._controller.operating_state.unreachable

@@ -122,8 +122,8 @@ class ArcBox(HasActs, Translated, QWidget):
 
     capture_wanted = Signal(int)
     """Emitted to capture a pose from the arm, with its index 0–2."""
-    answered = Signal(object)
-    """Emitted with the answer to a motion to the start, or along the arc."""
+    wanted = Signal(object)
+    """Emitted with what sends a motion to the start or along the arc; see :func:`drive`."""
 
     captures = ActFamily(
         {
@@ -202,12 +202,14 @@ class ArcBox(HasActs, Translated, QWidget):
     @go_to_start.pressed
     def _on_go_to_start(self) -> None:
         if (start := self.poses[0]) is not None:
-            self.answered.emit(self._controller.cartesian.move(start, MoveMode.MOVE_P))
+            move = self._controller.cartesian.move
+            self.wanted.emit(lambda agreed_mm: move(start, MoveMode.MOVE_P, agreed_mm))
 
     @send.pressed
     def _on_send(self) -> None:
         points = [pose for pose in self.poses if pose is not None]
-        self.answered.emit(self._controller.cartesian.move_arc(*points))
+        move = self._controller.cartesian.move_arc
+        self.wanted.emit(lambda agreed_mm: move(*points, agreed_mm=agreed_mm))
 
     def take(self, place: int, pose: Pose) -> None:
         """Set a captured pose."""

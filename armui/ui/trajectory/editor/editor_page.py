@@ -25,7 +25,7 @@ from armui.trajectory.points.edits import Change
 from armui.trajectory.points.program import Trajectory, Values, Waypoint, frames_in, speeds_of
 from armui.ui import words
 from armui.ui.actions.command import Command, Target
-from armui.ui.dialogs.confirm_dialog import LeaveQuestion
+from armui.ui.dialogs.confirm_dialog import LeaveQuestion, drive
 from armui.ui.panels.jogging.jog_box import JogBox
 from armui.ui.trajectory.editor.document import Document, DraftKeeper
 from armui.ui.trajectory.editor.editor_actions import NAMES, EditorActions, EditorHint
@@ -238,7 +238,7 @@ class EditorPage(Page):
         of_rows = (
             *(rows.insert_before, rows.insert_after),
             *(rows.replace_by_measured, rows.duplicate, rows.delete, rows.cut, rows.copy),
-            *(rows.paste, rows.move_up, rows.move_down, rows.convert, rows.go_to),
+            *(rows.paste, rows.move_up, rows.move_down, rows.convert),
         )
         return {
             **{edit.__name__: partial(self._do, edit) for edit in of_rows},
@@ -251,6 +251,7 @@ class EditorPage(Page):
             "preview": lambda: self._check(plays=True),
             "jog": self._show_jog,
             "frame": self._choose_frame,
+            "go_to": self._go_to,
         }
 
     def _lay_out(self) -> None:
@@ -665,6 +666,14 @@ class EditorPage(Page):
     def headers(self) -> Mapping[str, QHeaderView]:
         """Return the table's header, whose columns are stored."""
         return {"points": self.table.horizontalHeader()}
+
+    def _go_to(self) -> None:
+        """Send the arm to the current point at the speed for single motions."""
+        move = EDIT_UNDER_WAY() if self._long_edits.busy else self._edits.motion_here()
+        if isinstance(move, Refusal):
+            self._tell(move)
+        else:
+            drive(self, self._controller, move, self._tell)
 
     # Words ------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Final, Union
 
 from PySide6.QtCore import QMimeData, QObject
@@ -12,7 +13,7 @@ from PySide6.QtGui import QGuiApplication
 from armui.arm.refusal import Reason, Refusal
 from armui.cell.checks import check_pose
 from armui.control.devices.gripper import GRIPPER_SILENT
-from armui.control.operations.started import refusal_of
+from armui.control.operations.started import Started
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics.poses import tool_pose
 from armui.protocol.codes import MoveMode
@@ -422,8 +423,8 @@ class PointEdits(QObject):
         self._document.convert(points, fit.kind, self.tr("Convert zeros"))
         return True
 
-    def go_to(self) -> Outcome:
-        """Send the arm to the current point at the speed for single motions, without actions."""
+    def motion_here(self) -> Callable[[float], Started | Refusal] | Refusal:
+        """Return what sends the arm to the current point, without its actions; see `drive`."""
         row = self._table.current_row()
         if row < 0:
             return NO_ROWS_CHOSEN()
@@ -431,11 +432,10 @@ class PointEdits(QObject):
         if isinstance(point, Refusal):
             return point
         if point.is_joint:
-            return refusal_of(self._controller.motion.send_joints(point.target))
-
+            return partial(self._controller.motion.send_joints, point.target)
         cartesian = self._controller.cartesian
         move = MoveMode.MOVE_L if point.move is MoveMode.MOVE_L else MoveMode.MOVE_P
-        return refusal_of(cartesian.move(tool_pose(point.target, cartesian.tool), move))
+        return partial(cartesian.move, tool_pose(point.target, cartesian.tool), move)
 
 
 def _arm_in_clipboard() -> str:
