@@ -78,6 +78,11 @@ AT_WORK: Final = frozenset(
 )
 """The statuses that are no fault."""
 
+TARGET_REFUSED: Final = frozenset(
+    {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
+)
+"""The statuses with which the arm refuses a target, and stands: it takes the next one."""
+
 
 class MoveMode(enum.IntEnum):
     """The kind of motion: 0x151 byte 1 and 0x2A1 byte 2."""

@@ -126,11 +126,11 @@ class Program:
         self.wait(STEP_S)
         return started
 
-    def stand_at(self, joint_1_deg: float, *, reached: bool) -> None:
+    def stand_at(self, joint_1_deg: float, *, reached: bool, arm_status: int = 0) -> None:
         """Joint 1 turns as far at 40°/s, and the arm rests there."""
         self.connection.status = status(reached=False)
         self.wait(joint_1_deg / 40, deg=0.625)
-        self.connection.status = status(reached=reached)
+        self.connection.status = status(reached=reached, arm_status=arm_status)
         self.wait(1.0)
 
     @property
@@ -298,6 +298,14 @@ def test_one_that_rests_and_has_not_arrived_by_what_the_arm_says_has_failed(prog
     program.stand_at(40.0, reached=False)
     assert started.ending is Ending.FAILED
     assert (started.result.code, started.result.params) == ("motion_cut", {"end": "short"})
+
+
+@pytest.mark.parametrize("said", [2, 3, 4], ids=["no solution", "singular", "beyond a limit"])
+def test_one_that_the_arm_itself_refuses_has_failed_though_it_stands(program, said):
+    started = program.ordered()
+    program.stand_at(0.0, reached=True, arm_status=said)
+    assert started.ending is Ending.FAILED
+    assert (started.result.code, started.result.params) == ("motion_cut", {"end": "refused"})
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from armui.control.safety.interlocks import (
     JOINTS_UNKNOWN,
     OTHER_CONTROL,
 )
-from armui.protocol.codes import ArmStatusCode, ControlMode, TeachingState
+from armui.protocol.codes import TARGET_REFUSED, ArmStatusCode, ControlMode, TeachingState
 
 TEACHING_OFF = Reason(
     "teaching_off",
@@ -91,15 +91,8 @@ _SUITS: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
 """The phases in which each command of 0x150 byte 2 has an effect."""
 
 
-_SOUND: Final = frozenset(
-    {
-        ArmStatusCode.NORMAL,
-        ArmStatusCode.NO_SOLUTION,
-        ArmStatusCode.SINGULARITY,
-        ArmStatusCode.TARGET_BEYOND_LIMIT,
-        ArmStatusCode.OVERSPEED_WHILE_TEACHING,
-        *_BY_STATUS,
-    }
+_SOUND: Final = TARGET_REFUSED.union(
+    {ArmStatusCode.NORMAL, ArmStatusCode.OVERSPEED_WHILE_TEACHING}, _BY_STATUS
 )
 
 _UNSUITED: Final[Mapping[TeachingPhase, Reason]] = {

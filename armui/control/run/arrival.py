@@ -10,7 +10,7 @@ from typing import Final
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.safety.interlocks import ARM_FAULT
-from armui.protocol.codes import ArmStatusCode
+from armui.protocol.codes import TARGET_REFUSED
 from armui.trajectory.points.program import Waypoint
 
 RUN_ELSEWHERE = Reason(
@@ -29,10 +29,6 @@ _TAKEN_IN_S: Final = 0.1
 """Feedback sooner than this after a point was sent may still be about the last point."""
 _AT_REST_S: Final = 1.0
 """An arm that reports «reached» may measure elsewhere this long: angles have own frames."""
-
-_REFUSED: Final = frozenset(
-    {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
-)
 
 
 class Arrival(enum.Enum):
@@ -55,7 +51,7 @@ class ArrivalWatch:
         status = state.status
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
-        if status.value.arm_status in _REFUSED:
+        if status.value.arm_status in TARGET_REFUSED:
             return ARM_FAULT(status=status.value.arm_status)
         if not status.value.reached:
             self._elsewhere_since_s = None

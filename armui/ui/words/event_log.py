@@ -37,6 +37,7 @@ from armui.ui.words.text import NOT_KNOWN, Texts, listed, sentence, source_of
 
 _ENDS: Final = Texts("MotionEnd") | {
     "short": "the arm stopped before its target",
+    "refused": "the arm itself refused the target",
     End.REPLACED.name: "a newer command took its place",
     End.CANCELLED.name: "cancelled",
     End.STOPPED.name: "emergency stop",
