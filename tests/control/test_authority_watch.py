@@ -303,7 +303,7 @@ def test_one_that_rests_and_has_not_arrived_by_what_the_arm_says_has_failed(prog
 @pytest.mark.parametrize("said", [2, 3, 4], ids=["no solution", "singular", "beyond a limit"])
 def test_one_that_the_arm_itself_refuses_has_failed_though_it_stands(program, said):
     started = program.ordered()
-    program.stand_at(0.0, reached=True, arm_status=said)
+    program.stand_at(40.0, reached=True, arm_status=said)
     assert started.ending is Ending.FAILED
     assert (started.result.code, started.result.params) == ("motion_cut", {"end": "refused"})
 

@@ -6,16 +6,18 @@ from contextlib import suppress
 import pytest
 
 from armui.arm.parameters import Parameter
+from armui.arm.reach import POSE_OUT_OF_REACH
 from armui.control.link.link_state import NOT_CONNECTED
 from armui.control.motion.jog_pace import REST_S, pace
 from armui.control.motion.jog_path import JOG_AT_LIMIT, JointJog, ToolJog
 from armui.control.motion.jog_stream import JOG_SINGULAR
 from armui.control.operating_state import BUSY
-from armui.control.operations.started import Started
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.interlocks import NOT_ENABLED
 from armui.kinematics.arm_kinematics import Kinematics
 from armui.kinematics.axes import AXES, JogFrame
 from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
+from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from tests.accepted import accepted
@@ -211,6 +213,22 @@ def test_at_a_singular_pose_the_tool_does_not_go_sideways(rig):
     told = rig.events[-1]
     assert told.params["reason"].reason == JOG_SINGULAR
     assert angles(rig) == pytest.approx(before, abs=0.2)
+
+
+def test_a_step_that_the_arm_itself_refuses_as_singular_is_not_read_back(rig):
+    bend(rig, (0.0, 60.0, -60.0, 0.0, 1.0, 0.0))
+    step = accepted(rig.controller.cartesian.step(1, 1.0, JogFrame.BASE))
+    rig.run(1.5)
+    assert rig.controller.state.status.value.arm_status == ArmStatusCode.SINGULARITY
+    assert step.ending is Ending.FAILED
+    assert step.result.params == {"end": "refused"}
+
+
+def test_a_line_out_of_reach_is_told_so_though_it_begins_where_it_is_singular(rig):
+    bend(rig, (0.0, 60.0, -60.0, 0.0, 0.0, 0.0))
+    far = (900.0, 300.0, 300.0, 0.0, 85.0, 0.0)
+    refusal = rig.controller.cartesian.move(far, MoveMode.MOVE_L)
+    assert refusal.reason is POSE_OUT_OF_REACH
 
 
 @pytest.mark.each_value(full="each axis in both frames")

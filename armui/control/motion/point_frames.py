@@ -94,7 +94,11 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
         except ArcError:
             return ARC_IS_NONE()
     joints_deg = led_joints(arm.kinematics, path, begin_deg)
-    return joints_deg if isinstance(joints_deg, Refusal) else Way(joints_deg)
+    if not isinstance(joints_deg, Refusal):
+        return Way(joints_deg)
+    # what is out of reach anyway is told as that, and not as what comes up on the way to it
+    end_deg = check_pose(arm.kinematics, Pose(*point.target), begin_deg, arm.limits)
+    return end_deg if isinstance(end_deg, Refusal) else joints_deg
 
 
 def tool_way(point: Waypoint, state: ArmState) -> tuple[Sequence[float], ...]:
