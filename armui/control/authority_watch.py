@@ -15,7 +15,7 @@ from armui.control.operating_state import OtherHostReport
 from armui.control.operations.started import Ending
 from armui.control.safety.command_acknowledgement import AcknowledgementMonitor
 from armui.protocol.addressing import OFFSETS
-from armui.protocol.codes import TARGET_REFUSED
+from armui.protocol.codes import TARGET_REFUSALS
 from armui.telemetry.events import EventKind, EventOutcome, Level
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ class AuthorityWatch:
         if command is None or authority.under_way or authority.holds or self._acknowledgement.waits:
             return
         status = self._connection.newest.status
-        refused = status is not None and status.value.arm_status in TARGET_REFUSED
+        refused = status is not None and status.value.arm_status in TARGET_REFUSALS
         if status is not None and status.value.reached and not refused:
             _close(command, Ending.DONE, EventOutcome(ARRIVED.id, now_s, Level.DONE))
         else:

@@ -78,7 +78,7 @@ AT_WORK: Final = frozenset(
 )
 """The statuses that are no fault."""
 
-TARGET_REFUSED: Final = frozenset(
+TARGET_REFUSALS: Final = frozenset(
     {ArmStatusCode.NO_SOLUTION, ArmStatusCode.SINGULARITY, ArmStatusCode.TARGET_BEYOND_LIMIT}
 )
 """The statuses with which the arm refuses a target, and stands: it takes the next one."""

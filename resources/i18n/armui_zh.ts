@@ -2990,6 +2990,14 @@
         <translation>此时工作区拦不住它：机械臂下方是 {names}。</translation>
     </message>
     <message>
+        <source>Below the floor</source>
+        <translation>低于地面</translation>
+    </message>
+    <message>
+        <source>Go there</source>
+        <translation>前往</translation>
+    </message>
+    <message>
         <source>Hold the button, or the space bar on it, for one second.</source>
         <translation>请按住按钮（或在按钮上按住空格键）1 秒。</translation>
     </message>
@@ -8137,6 +8145,10 @@ Lamps give no feedback: this is only what will be sent.</source>
         <translation>机械臂未到目标即停下</translation>
     </message>
     <message>
+        <source>the arm itself refused the target</source>
+        <translation>机械臂自己拒绝了该目标</translation>
+    </message>
+    <message>
         <source>a newer command took its place</source>
         <translation>被新的指令取代</translation>
     </message>
@@ -8786,6 +8798,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The gripper stopped at {value} {unit} instead of {target} {unit}. Check what blocks it, its errors and its power.</source>
         <translation>夹爪停在 {value} {unit}，未到 {target} {unit}。请检查是否受阻、有无错误以及供电。</translation>
+    </message>
+    <message>
+        <source>The gripper was told to stay where it is, at {value} {unit}.</source>
+        <translation>已令夹爪停在原处：{value} {unit}。</translation>
     </message>
     <message>
         <source>Gripper: {act} sent</source>
@@ -12292,6 +12308,10 @@ The other program must have ended.</source>
         <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
     </message>
     <message>
+        <source>The arm would come {value} mm below the floor. Go there only if nothing is there. With a lowest height chosen under Settings this is not asked each time.</source>
+        <translation>机械臂将低至地面以下 {value} mm。确认那里没有物体后才可前往。在“设置”中选定最低高度后，不再逐次询问。</translation>
+    </message>
+    <message>
         <source>This frame ends an emergency stop and lets the arm drop. Use Release in the main window, once the arm is supported.</source>
         <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的“解除急停”。</translation>
     </message>
@@ -14212,7 +14232,7 @@ The other program must have ended.</source>
         <translation>故障</translation>
     </message>
     <message>
-        <source>Stops</source>
+        <source>E-stops</source>
         <translation>急停</translation>
     </message>
     <message>

@@ -46,7 +46,10 @@ def test_the_arm_follows_the_recording(ready):
     recording = wave()
     replayer = ready.controller.replayer
     accepted(replayer.start(Replay(recording)))
+    ready.run(0.2)
+    assert replayer.progress.remaining_s is None  # nobody knows how long the way there takes
     ready.run_until(lambda: replayer.progress.done > 0.0)
+    assert replayer.progress.remaining_s == pytest.approx(4.0, abs=0.1)
     assert ready.firmware.joints_deg == pytest.approx(recording.joints_deg[0], abs=0.1)
     began_s = ready.time_s
     path = []

@@ -301,6 +301,8 @@ def test_a_gripper_under_way_ends_where_it_is(any_rig, way):
     rig.run(2.0)
     assert gripper.travel == pytest.approx(at_halt, abs=5.0)
     assert gripper.enabled
+    (told,) = [each for each in rig.events if each.code == "gripper_held"]
+    assert told.params["value"] == pytest.approx(at_halt, abs=5.0)
 
 
 @pytest.mark.each_value(full="each way in both generations")

@@ -73,6 +73,12 @@ GRIPPER_NOT_THERE = Notice(
     Level.FAULT,
     EventKind.RESULT,
 )
+GRIPPER_HELD = Notice(
+    "gripper_held",
+    "The gripper was told to stay where it is, at {value} {unit}.",
+    Level.INFO,
+    EventKind.RESULT,
+)
 GRIPPER_ACT_SENT = Notice("gripper_act_sent", "Gripper: {act} sent", Level.INFO, EventKind.COMMAND)
 GRIPPER_ACT_DONE = Notice(
     "gripper_act_done", "Gripper: {act} done, by its own feedback.", Level.DONE, EventKind.RESULT
@@ -530,6 +536,8 @@ class GripperControl(RequestingPart[str]):
         by_angle = heard.value.opening_mm is None
         here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
         context.connection.send(here, passed=context.gate().ask_no_way())
+        value, unit = self._shown(heard.value.travel, travel.unit), self._unit_shown(travel.unit)
+        context.tell(GRIPPER_HELD, value=value, unit=unit)
 
     def _drop_request(self) -> None:
         super()._drop_request()

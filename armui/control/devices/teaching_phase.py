@@ -17,7 +17,7 @@ from armui.control.safety.interlocks import (
     JOINTS_UNKNOWN,
     OTHER_CONTROL,
 )
-from armui.protocol.codes import TARGET_REFUSED, ArmStatusCode, ControlMode, TeachingState
+from armui.protocol.codes import TARGET_REFUSALS, ArmStatusCode, ControlMode, TeachingState
 
 TEACHING_OFF = Reason(
     "teaching_off",
@@ -91,7 +91,7 @@ _SUITS: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
 """The phases in which each command of 0x150 byte 2 has an effect."""
 
 
-_SOUND: Final = TARGET_REFUSED.union(
+_SOUND: Final = TARGET_REFUSALS.union(
     {ArmStatusCode.NORMAL, ArmStatusCode.OVERSPEED_WHILE_TEACHING}, _BY_STATUS
 )
 

@@ -13,7 +13,7 @@ from armui.arm.state import GripperFault
 from armui.control.event_log import status_listener as h
 from armui.control.event_log.observed import EventChange, EventPhase, Observed
 from armui.control.event_log.status_listener import InvalidFrames, StatusChange
-from armui.protocol.codes import TARGET_REFUSED, ArmStatusCode
+from armui.protocol.codes import TARGET_REFUSALS, ArmStatusCode
 from armui.telemetry.events import Asker, EventKind, Level
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ STATUS_LEVELS: Final[Mapping[int, Level]] = {
     ArmStatusCode.TEACHING_RECORDING: Level.INFO,
     ArmStatusCode.TEACHING_RUNNING: Level.INFO,
     ArmStatusCode.TEACHING_PAUSED: Level.INFO,
-    **dict.fromkeys(TARGET_REFUSED, Level.WARNING),
+    **dict.fromkeys(TARGET_REFUSALS, Level.WARNING),
     ArmStatusCode.OVERSPEED_WHILE_TEACHING: Level.WARNING,
 }
 """The severity of each status; any code not named here is a fault."""

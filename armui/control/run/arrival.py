@@ -10,7 +10,7 @@ from typing import Final
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.safety.interlocks import ARM_FAULT
-from armui.protocol.codes import TARGET_REFUSED
+from armui.protocol.codes import TARGET_REFUSALS
 from armui.trajectory.points.program import Waypoint
 
 RUN_ELSEWHERE = Reason(
@@ -51,7 +51,7 @@ class ArrivalWatch:
         status = state.status
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:
             return Arrival.UNDER_WAY
-        if status.value.arm_status in TARGET_REFUSED:
+        if status.value.arm_status in TARGET_REFUSALS:
             return ARM_FAULT(status=status.value.arm_status)
         if not status.value.reached:
             self._elsewhere_since_s = None

@@ -88,7 +88,7 @@ class Progress:
         cycle, cycles: The cycle, from 1, and the number of cycles, 0 for endless.
         done: The share of the cycle that is done, 0–1.
         remaining_s: The time left of the whole run at the present speed; ``None`` if it has no
-            end, or is held back at 0 %.
+            end, is held back at 0 %, or is on its way to a recording's first angles.
         refusal: The reason of its failure.
         percent: The speed that the arm was told for the point under way; ``None``: none.
         tool_mm_s: What that is at most for the tool, along a line or an arc.

@@ -475,12 +475,14 @@ class Replayer(Execution):
         cycles_left = replay.cycles - self._cycle
         rest_s = replay.duration_s * (1.0 - done + cycles_left)
         endless = replay.cycles == ENDLESS or not self.speed_percent
+        # how long the way to its first angles takes is not known
+        unknown = endless or (self.running and self._at_s <= 0.0)
         return Progress(
             phase=self._phase,
             name=replay.recording.name,
             cycle=self._cycle,
             cycles=replay.cycles,
             done=done,
-            remaining_s=None if endless else rest_s / self._share,
+            remaining_s=None if unknown else rest_s / self._share,
             refusal=reason,
         )

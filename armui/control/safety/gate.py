@@ -57,8 +57,8 @@ WAY_UNKNOWN = Reason(
 )
 LEADS_BELOW = Reason(
     "leads_below",
-    "The arm would come {value} mm below the floor. Go there only if nothing is there. A lowest "
-    "height under Settings says once and for all how low motions may go.",
+    "The arm would come {value} mm below the floor. Go there only if nothing is there. With a "
+    "lowest height chosen under Settings this is not asked each time.",
 )
 CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMAND, streams=True)
 

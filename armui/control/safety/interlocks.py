@@ -8,7 +8,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState, Six
 from armui.control.operating_state import BUSY, Busy, StopState
 from armui.control.safety.feedback_freshness import FEEDBACK_SILENT
-from armui.protocol.codes import TARGET_REFUSED, ArmStatusCode, ControlMode
+from armui.protocol.codes import TARGET_REFUSALS, ArmStatusCode, ControlMode
 
 STOP_REQUESTED = Reason(
     "stop_requested",
@@ -54,7 +54,7 @@ PASSING: Final = frozenset({ENABLED_UNKNOWN, JOINTS_UNKNOWN, FEEDBACK_SILENT})
 
 MOVABLE_MODES: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 
-MOVABLE_STATUSES: Final = TARGET_REFUSED | {ArmStatusCode.NORMAL}
+MOVABLE_STATUSES: Final = TARGET_REFUSALS | {ArmStatusCode.NORMAL}
 """An arm of any other status (0x2A1 byte 1) takes no motion, and has ended the one under way."""
 
 

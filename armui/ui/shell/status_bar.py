@@ -17,7 +17,7 @@ from armui.control.events import Event, Level
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.control.safety.uncommanded_motion import MotionKind, UncommandedMotion
-from armui.protocol.codes import AT_WORK, TARGET_REFUSED, ArmStatusCode, TeachingState
+from armui.protocol.codes import AT_WORK, TARGET_REFUSALS, ArmStatusCode, TeachingState
 from armui.system.failures import Failure
 from armui.telemetry.events import EventKind
 from armui.ui import format as fmt
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from armui.control.arm_controller import ArmController
 
 
-_WARNINGS: Final = TARGET_REFUSED | {ArmStatusCode.OVERSPEED_WHILE_TEACHING}
+_WARNINGS: Final = TARGET_REFUSALS | {ArmStatusCode.OVERSPEED_WHILE_TEACHING}
 _LEAVES: Final = frozenset({MotionKind.SINKS, MotionKind.MOVES, MotionKind.LED})
 """What is measured of an arm that leaves the target that it reports as reached."""
 _ICON_PX: Final = 16

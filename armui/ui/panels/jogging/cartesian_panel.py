@@ -26,7 +26,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.operations.operation import operation_of
 from armui.control.operations.started import refusal_of
 from armui.kinematics.axes import AXES, LINEAR_AXES, JogFrame
-from armui.protocol.codes import TARGET_REFUSED, MoveMode
+from armui.protocol.codes import TARGET_REFUSALS, MoveMode
 from armui.settings import SettingsStore
 from armui.ui import format as fmt
 from armui.ui import words
@@ -44,7 +44,7 @@ from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.widgets.translated import Translated
 from armui.ui.words.text import Text
 
-REFUSED_BY_ARM = Reason(
+TARGET_REFUSED = Reason(
     "target_refused", "The arm itself refuses its last target: {status}. Send another one."
 )
 POSE_NOT_A_NUMBER = Reason(
@@ -494,8 +494,8 @@ class CartesianPanel(JogPanel):
         if nonsense is not None:
             return nonsense
         status = self._controller.state.status
-        if status is not None and status.value.arm_status in TARGET_REFUSED:
-            return REFUSED_BY_ARM(status=status.value.arm_status)
+        if status is not None and status.value.arm_status in TARGET_REFUSALS:
+            return TARGET_REFUSED(status=status.value.arm_status)
         return None
 
     def _nonsense(self) -> Refusal | None:

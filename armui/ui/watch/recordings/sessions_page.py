@@ -119,7 +119,7 @@ class SessionColumn(ViewColumns):
         figures=True,
     )
     STOPS = _Column(
-        "Stops",
+        "E-stops",
         lambda _, entry: fmt.NOTHING if entry.stops is None else str(entry.stops),
         lambda entry: -1 if entry.stops is None else entry.stops,
         width_px=65,
