@@ -23,7 +23,7 @@ def bend(rig: ArmRig, angles_deg=BENT_DEG) -> None:
     rig.lie([angle - NEAR_DEG for angle in angles_deg])
     rig.ready()
     rig.controller.motion.set_speed_percent(100)
-    accepted(rig.controller.motion.send_joints(angles_deg))
+    accepted(rig.controller.motion.send_joints(angles_deg, -1000.0))
     rig.run_until(lambda: [round(a, 3) for a in rig.firmware.joints_deg] == list(angles_deg))
     rig.run(0.4)
 

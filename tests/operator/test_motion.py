@@ -348,6 +348,7 @@ def test_closing_while_the_arm_moves_asks_first(ready):
 
 def test_targets_refused_by_a_check_that_takes_long_stay_and_the_panel_says_why(ready, monkeypatch):
     monkeypatch.setattr("armui.control.safety.gate._AT_ONCE", 0.0)
+    ready.store.change(jog_floor_mm=-500)  # how low it goes is not asked
     done: Future[object] = Future()
     checks = []
 

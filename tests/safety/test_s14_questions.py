@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QTableView
 
 import armui.ui
 from armui.cell.cell import Cell
+from armui.cell.placement import Placement
 from armui.protocol.generation import Generation
 from armui.sim.firmware import Firmware
 from armui.sim.node import Node
@@ -26,7 +27,7 @@ from tests.accepted import accepted
 ASKING = {
     "ui/actions/act.py": {"HoldButton": 1},
     "ui/dialogs/backup.py": {"choose_file": 2, "confirm": 1},
-    "ui/dialogs/confirm_dialog.py": {"ConfirmDialog": 1, "HoldButton": 1},
+    "ui/dialogs/confirm_dialog.py": {"ConfirmDialog": 1, "HoldButton": 1, "confirm": 1},
     "ui/dialogs/connect.py": {"confirm": 1},
     "ui/dialogs/files.py": {"FileDialog": 2, "choose_file": 1},
     "ui/dialogs/inspection.py": {"HoldButton": 1},
@@ -172,6 +173,12 @@ def restore(driver):
     driver.click(box.restore_button)
 
 
+def below_the_floor(driver):
+    for joint, angle_deg in ((2, "125"), (3, "-60"), (5, "40")):
+        driver.type_into(f"target_field_{joint}", angle_deg)
+    driver.click("send_button")
+
+
 def dangerous_step(driver):
     driver.firmware.condition.communication_fault[3] = True
     driver.run(1.0)
@@ -230,6 +237,7 @@ QUESTIONS = {
     "zero of the gripper": panel("gripper", "gripper_zero_button"),
     "drag teaching": panel("teaching", "teaching_start_recording"),
     "a dangerous step": dangerous_step,
+    "below the floor": below_the_floor,
     "disconnect": disconnect,
     "close": close,
     "unsaved": unsaved,
@@ -321,6 +329,16 @@ def test_the_linkage_is_the_one_that_was_asked_about(app_driver):
     app_driver.run(0.5)
     assert questions() == []
     assert 0x470 not in {each.arbitration_id for each in app_driver.node.heard}
+
+
+def test_a_height_is_over_the_floor_that_was_asked_about(app_driver):
+    app_driver.ready()
+    QUESTIONS["below the floor"](app_driver)
+    sunk = Cell("sunk", placement=Placement((0.0, 0.0, -50.0, 0.0, 0.0, 0.0)))
+    accepted(app_driver.controller.cell.take(sunk))
+    app_driver.run(0.5)
+    assert questions() == []
+    assert 0x155 not in {each.arbitration_id for each in app_driver.node.heard}
 
 
 def test_a_question_stays_with_its_arm(app_driver):

@@ -73,11 +73,11 @@ def test_it_is_refused_at_any_speed(rig, box, target, percent):
     """Who begins slowly may go faster on the way."""
     accepted(rig.controller.cell.take(with_pen(box)))
     rig.controller.motion.set_speed_percent(percent)
-    refusal = told(rig.controller.motion.send_joints(target))
+    refusal = told(rig.controller.motion.send_joints(target, -1000.0))
     assert refusal.reason == AREA_IN_THE_WAY
     flange = Kinematics(PIPER).forward(target)
     tip = tool_pose(flange, rig.controller.cartesian.tool)
-    refusal = told(rig.controller.cartesian.move(tip, MoveMode.MOVE_P))
+    refusal = told(rig.controller.cartesian.move(tip, MoveMode.MOVE_P, -1000.0))
     assert refusal.reason == AREA_IN_THE_WAY
 
 
@@ -86,6 +86,6 @@ def test_a_box_further_aside_is_no_reason(rig, box, target):
     away = replace(box, pose=(*box.pose[:2], box.pose[2] - 150.0, *box.pose[3:]))
     accepted(rig.controller.cell.take(with_pen(away)))
     seen = watch(rig)
-    assert settle(rig, rig.controller.motion.send_joints(target))
+    assert settle(rig, rig.controller.motion.send_joints(target, -1000.0))
     assert rig.firmware.true_joints_deg == pytest.approx(target, abs=0.1)
     assert seen.end().mm > 9.0

@@ -201,10 +201,10 @@ class FakeMotion:
             self.setpoint_deg = tuple(base)
         return refusal
 
-    def send_joints(self, angles_deg: Sequence[float]) -> Refusal | None:
+    def send_joints(self, angles_deg: Sequence[float], agreed_mm: float = 0.0) -> Refusal | None:
         return self._controller._asked("send_joints", tuple(angles_deg))
 
-    def go_home(self) -> Refusal | None:
+    def go_home(self, agreed_mm: float = 0.0) -> Refusal | None:
         return self._controller._asked("go_home")
 
     def jog_lagging(self, joint: int, step_deg: float) -> bool:

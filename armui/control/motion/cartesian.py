@@ -27,7 +27,7 @@ from armui.control.motion.point_frames import leading_mode, point_way
 from armui.control.operations.operation import operation
 from armui.control.operations.started import Started
 from armui.control.parameters.planning_model import planning_model
-from armui.control.safety.gate import MotionRequest
+from armui.control.safety.gate import Agreed, MotionRequest
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.kinematics import poses
 from armui.kinematics.arm_kinematics import Kinematics
@@ -227,7 +227,7 @@ class Cartesian(ControllerPart):
         started: Started,
         target: Annotated[Sequence[float], "mm, °"],
         move_mode: MoveMode,
-        agreed_mm: Annotated[float, "mm"] = 0.0,
+        agreed_mm: Agreed = 0.0,
     ) -> Refusal | None:
         """Send the tool centre point to a pose, with MOVE P or on a straight line with MOVE L.
 
@@ -235,7 +235,7 @@ class Cartesian(ControllerPart):
             started: The record of the command.
             target: The pose.
             move_mode: MOVE P or MOVE L.
-            agreed_mm: The height over the floor down to which the operator has agreed to go.
+            agreed_mm: The height down to which the operator has agreed to go.
         """
         notice = SENT_LINE if move_mode is MoveMode.MOVE_L else SENT_POSE
         figures: dict[str, object] = dict(zip(map(str.lower, AXES), target, strict=True))
@@ -284,7 +284,7 @@ class Cartesian(ControllerPart):
         self,
         started: Started,
         *points: Annotated[Sequence[float], Count(3), "mm, °"],
-        agreed_mm: Annotated[float, "mm"] = 0.0,
+        agreed_mm: Agreed = 0.0,
     ) -> Refusal | None:
         """Move on the arc through three poses of the tool centre point (MOVE C).
 

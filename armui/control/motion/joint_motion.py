@@ -20,6 +20,7 @@ from armui.control.operations.operation import Consent, operation, record_start
 from armui.control.operations.started import Ending, Started
 from armui.control.requests import reports
 from armui.control.safety import interlocks
+from armui.control.safety.gate import Agreed
 from armui.telemetry.events import EventKind, Level
 
 if TYPE_CHECKING:
@@ -211,14 +212,14 @@ class Motion(ControllerPart):
         self,
         started: Started,
         angles_deg: Annotated[Sequence[float], "°"],
-        agreed_mm: Annotated[float, "mm"] = 0.0,
+        agreed_mm: Agreed = 0.0,
     ) -> Refusal | None:
         """Move to six angles in degrees (MOVE J, 0x155–0x157 and 0x151).
 
         Args:
             started: The record of the command.
             angles_deg: The angles.
-            agreed_mm: The height over the floor down to which the operator has agreed to go.
+            agreed_mm: The height down to which the operator has agreed to go.
         """
         figures = reports.numbered(angles_deg)
         return self._move(started, angles_deg, SENT_JOINTS, agreed_mm, **figures)
@@ -230,7 +231,7 @@ class Motion(ControllerPart):
         moves=True,
         first=drop_waiting,
     )
-    def go_home(self, started: Started, agreed_mm: Annotated[float, "mm"] = 0.0) -> Refusal | None:
+    def go_home(self, started: Started, agreed_mm: Agreed = 0.0) -> Refusal | None:
         """Move to the factory zero angles; see :meth:`send_joints`."""
         return self._move(started, _HOME_DEG, WENT_HOME, agreed_mm)
 

@@ -12,8 +12,9 @@ import math
 from collections.abc import Callable, Container, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
+from armui.arm.figures import Range
 from armui.arm.limits import may_lie
 from armui.arm.models import model_data
 from armui.arm.refusal import Reason, Refusal
@@ -73,6 +74,8 @@ _AT_ONCE: Final = 400.0
 _SET_ANEW: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER, Mover.GRAVITY})
 """Who brings the arm where our motions did not: it is found outside anew."""
 
+Agreed = Annotated[float, Range(-5000.0, 0.0, "mm")]
+"""The height over the floor down to which the operator has agreed that a motion goes."""
 Plan = Callable[[Sequence[float]], "Way | Refusal"]
 """Returns the way from six angles at which the arm rests, or why there is none."""
 Background = Callable[[Callable[[], Any]], "Future[Any]"]

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 from armui.arm.refusal import Reason, Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.operating_state import OperatingState
-from armui.control.operations.started import ARM_CHANGED, Started, refusal_of
+from armui.control.operations.started import ARM_CHANGED, Started
 from armui.control.safety.gate import LEADS_BELOW
 from armui.ui import words
 from armui.ui.dialogs.base import ArmDialog
@@ -100,7 +100,7 @@ def drive(
     parent: QWidget,
     controller: ArmController,
     move: Callable[[float], Started | Refusal],
-    answered: Callable[[Refusal | None], object],
+    answered: Callable[[Started | Refusal], object],
 ) -> None:
     """Send a single motion; one that leads below the floor is asked about, by a button to hold.
 
@@ -108,22 +108,23 @@ def drive(
         parent: The part of a window that asks.
         controller: Receives the emergency stop.
         move: Sends the motion, given the height down to which the operator agrees to go.
-        answered: Called with the reason if nothing was sent, else with ``None``; not at all if the
-            operator says no.
+        answered: Called with the answer to the motion; not at all if the operator says no.
     """
-    refusal = refusal_of(move(0.0))
-    if refusal is None or refusal.reason is not LEADS_BELOW:
-        answered(refusal)
+    answer = move(0.0)
+    if not isinstance(answer, Refusal) or answer.reason is not LEADS_BELOW:
+        answered(answer)
         return
-    agreed_mm = -float(str(refusal.params["value"]))
+    agreed_mm = -float(str(answer.params["value"]))
+    rules = controller.gate.rules()
     confirm(
         parent.window(),
         controller,
         title=QCoreApplication.translate("ConfirmDialog", "Below the floor"),
-        text=words.refusal(refusal),
+        text=words.refusal(answer),
         action_label=QCoreApplication.translate("ConfirmDialog", "Go there"),
-        on_confirmed=lambda: answered(refusal_of(move(agreed_mm))),
+        on_confirmed=lambda: answered(move(agreed_mm)),
         hold=True,
+        still=lambda: controller.gate.rules() is rules,
     )
 
 

@@ -207,8 +207,8 @@ class Panel(HasActs, Translated, QWidget):
     ) -> None:
         """Send a single motion, see :func:`drive`, and do the rest once it is sent."""
 
-        def answered(refusal: Refusal | None) -> None:
-            if self._accepted(refusal):
+        def answered(answer: Started | Refusal) -> None:
+            if self._accepted(answer):
                 then()
 
         drive(self, self._controller, move, answered)
