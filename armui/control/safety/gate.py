@@ -235,14 +235,18 @@ class Gate(ControllerPart):
         return None if rules is None else _judge(way, rules, self._marks).refusal
 
     def judge_target(self, joints_deg: Sequence[float]) -> Refusal | None:
-        """Return why no motion may end at six angles, or ``None``; its way is judged when sent."""
+        """Return why no motion may end at six angles, or what is asked before it, or ``None``.
+
+        Its way is judged when it is sent.
+        """
         rules, measured_deg = self.rules(), self._context.authority.measured_deg()
         if rules is None or measured_deg is None:
             return None
         from armui.ways.law import judge_end  # noqa: PLC0415 - numpy
         from armui.ways.way import straight_way  # noqa: PLC0415 - numpy
 
-        return judge_end(straight_way(measured_deg, joints_deg), rules.every, self._marks)
+        way = straight_way(measured_deg, joints_deg)
+        return judge_end(way, rules.every, self._marks) or _leads_below(way, rules, 0.0)
 
     def ask(self, way: Way) -> Pass | Refusal:
         """Return the pass for a way, or why it may not be driven."""
@@ -380,12 +384,9 @@ class Gate(ControllerPart):
         rules = self.rules()
         if rules is None or request.agreed_mm is None:
             return None
-        lowest_mm = rules.lowest_mm(way, request.agreed_mm)
-        if lowest_mm is None:
-            return None
+        low = _leads_below(way, rules, request.agreed_mm)
         # nobody is asked about what is refused anyway
-        refusal = self._why_not_from(request, way.begin_deg)
-        return refusal or LEADS_BELOW(value=math.ceil(-lowest_mm))
+        return low and (self._why_not_from(request, way.begin_deg) or low)
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
@@ -601,3 +602,8 @@ def _judge(way: Way, rules: Rules, marks: Marks) -> Judgement:
     from armui.ways.law import judge  # noqa: PLC0415 - numpy
 
     return judge(rules.ramped(way), rules.every, marks)
+
+
+def _leads_below(way: Way, rules: Rules, agreed_mm: float) -> Refusal | None:
+    lowest_mm = rules.lowest_mm(way, agreed_mm)
+    return None if lowest_mm is None else LEADS_BELOW(value=math.ceil(-lowest_mm))

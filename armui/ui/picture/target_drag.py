@@ -42,10 +42,6 @@ DRAG_GIVEN_UP = Reason(
     "drag_given_up",
     "The drag was cancelled: the arm, or what was dragged, has changed. Drag again.",
 )
-TARGET_BELOW = Reason(
-    "target_below",
-    "The target is {value} mm below the floor. Send it only if there is nothing there.",
-)
 
 
 _BASE: Final = (0.0,) * 6
@@ -574,9 +570,7 @@ class TargetDrag(QObject):
             return self._inside_text
         if typed is None or ghost_deg is None:
             return None
-        below_mm = -round(self._controller.jog_floor.height_mm(typed))
-        low = TARGET_BELOW(value=below_mm) if below_mm > 0 else None
-        return self._controller.gate.judge_target(typed) or low or self._preview_text
+        return self._controller.gate.judge_target(typed) or self._preview_text
 
     @property
     def _zone_kind(self) -> HandleKind:
