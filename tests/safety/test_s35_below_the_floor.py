@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.limits import JOINT_OUT_OF_LIMITS
 from armui.cell.cell import Cell
 from armui.cell.placement import Placement
+from armui.control.operations.started import Ending
 from armui.control.safety.gate import LEADS_BELOW
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
@@ -182,3 +183,20 @@ def test_the_floor_is_that_of_the_room_where_the_cell_says_how_the_arm_stands(ah
     ahead.run(0.5)
     ahead.come_to_rest()
     assert moved_deg(ahead, LOW_DEG) < 0.1
+
+
+def test_what_a_motion_was_checked_with_stays_until_it_rests(ahead):
+    """A lowest height and a tool that the settings get meanwhile, here or from another program."""
+    controller = ahead.controller
+    started = accepted(controller.motion.send_joints((60.0, *AHEAD_DEG[1:])))
+    rules = controller.gate.rules()
+    ahead.store.change(jog_floor_mm=450, tool=(0.0, 0.0, 90.0, 0.0, 0.0, 0.0))
+    ahead.run(0.3)
+    assert controller.operating_state.moving
+    assert controller.gate.rules() is rules
+    ahead.come_to_rest()
+    ahead.run(0.2)
+    assert started.ending is Ending.DONE
+    assert controller.jog_floor.lowest_mm == 450
+    assert controller.cartesian.tool == (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
+    assert controller.motion.send_joints(LOW_DEG).reason is TOO_LOW

@@ -115,6 +115,7 @@ class CellControl(ControllerPart):
         """When an arm came after a silence of which it is not known yet whether it is the same."""
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
+        self._wanted_tool = self._own_tool
         self._least_mm: float | None = None
         self._opened = False
         self.arms = 0
@@ -187,9 +188,11 @@ class CellControl(ControllerPart):
     # What the program tells -----------------------------------------------------------------
 
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
-        """Take the tool of the settings, which holds while no cell is in force."""
-        self._own_tool = tool
-        self._take_effect()
+        """Take the tool of the settings, which holds while no cell is in force; at rest."""
+        self._wanted_tool = tool
+        if why_not_change(self._context.refresh()) is None:
+            self._own_tool = tool
+            self._take_effect()
 
     def take_loaded(self, cells: Mapping[str, Cell | Refusal]) -> None:
         """Take the cells that were read, with the reasons against those that are broken.
@@ -395,6 +398,8 @@ class CellControl(ControllerPart):
     def follow_arm(self) -> None:
         """Look at what another program keeps, whether it is the arm of before, at the gripper."""
         self._follow_kept()
+        if self._wanted_tool != self._own_tool:
+            self.use_own_tool(self._wanted_tool)
         self._recognise()
         self._follow_gripper()
 

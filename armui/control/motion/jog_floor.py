@@ -32,17 +32,29 @@ class JogFloor:
         held: Returns the shape of what the hand holds, or ``None``.
         rising: Returns how the base stands in the room.
 
-    Attributes:
-        lowest_mm: The least height for jogs and single motions, or ``None``; the gate asks it.
     """
 
     _context: Context
     _tool: Callable[[], ToolCapsule | None]
     _held: Callable[[], HeldShape | None]
     _rising: Callable[[], Rising]
-    lowest_mm: int | None = field(default=None, init=False)
+    _lowest_mm: int | None = field(default=None, init=False)
+    _chosen_mm: int | None = field(default=None, init=False)
     _measured: tuple[object, ...] = field(default=(), init=False)
     _height_mm: float = field(default=0.0, init=False)
+
+    @property
+    def lowest_mm(self) -> int | None:
+        """The least height of motions, or ``None``; another one that is chosen counts at rest."""
+        now = self._context.operating_state()
+        if now.occupied is None and not now.moving:
+            self._lowest_mm = self._chosen_mm
+        return self._lowest_mm
+
+    @lowest_mm.setter
+    def lowest_mm(self, chosen_mm: int | None) -> None:
+        self._chosen_mm = chosen_mm
+        self._context.refresh()  # a motion counts from its press
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
+from armui.control.cell.cell_control import why_not_change
 from armui.control.events import Level
 from armui.setting_checks import JOG_STEP_NOT_A_NUMBER
 from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG, LIVE_PORT
@@ -284,7 +285,8 @@ class SettingsDialog(ArmDialog):
         on = self.jog_floor_box.isChecked()
         self.jog_floor_spin.setEnabled(on)
         height = self.jog_floor_spin.value() if on else None
-        self._show_problem(self._store.change(jog_floor_mm=height))
+        waits = why_not_change(self._controller.operating_state)
+        self._show_problem(self._store.change(jog_floor_mm=height) or waits)
 
     def _on_live_port(self, port: int) -> None:
         self._show_problem(self._store.change(live_port=port))
