@@ -115,7 +115,7 @@ class CellControl(ControllerPart):
         """When an arm came after a silence of which it is not known yet whether it is the same."""
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
-        self._wanted_tool = self._own_tool
+        self._wanted_tool: tuple[float, ...] = NO_TOOL
         self._least_mm: float | None = None
         self._opened = False
         self.arms = 0
