@@ -197,6 +197,7 @@ def with_the_bare(table):
     return actions(table, model.put, model.insert, model.delete, model.insert)
 
 
+@pytest.mark.timeout(300)
 def test_editor_smoothness(editor, bare, capsys, benchmark):
     pulse, beside = Pulse(), with_the_bare(bare)
     lines = []

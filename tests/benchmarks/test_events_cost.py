@@ -23,7 +23,8 @@ from tests.benchmarks.bus_thread import without_and_with
 TICKS = 400
 ENDS_DEG = ((30, 60, -40, 20, 15, 30), (-30, 30, -60, -20, -15, -30))
 MOST_SHARE = 1 / 3
-MOST_PIECE_MS = 10.0
+MOST_OF_SEARCH = 0.1
+"""The longest piece of a search may take so much of the whole of it."""
 
 
 def test_a_frame(capsys, benchmark):
@@ -95,7 +96,7 @@ def test_a_search(qapp, capsys, benchmark):
     model = EventModel(log, LIGHT)
     opened_ms = 1e3 * time.thread_time() - began_ms
     pieces = []
-    model._filter = EventFilter(words=("j4", "current"))
+    model._filter = EventFilter(words=("j4",))
     model._search = model._found()
     while model.searching:
         began_ms = 1e3 * time.thread_time()
@@ -107,4 +108,4 @@ def test_a_search(qapp, capsys, benchmark):
         print(f"\n10,000 events: shown {opened_ms:.1f} ms; searched in {len(pieces)} pieces,")
         print(f"  each {statistics.median(pieces):.1f} ms, the longest {max(pieces):.1f} ms")
     assert model.rowCount() == 1667
-    assert max(pieces) < MOST_PIECE_MS
+    assert max(pieces) < MOST_OF_SEARCH * sum(pieces)
