@@ -13,7 +13,7 @@ from armui.ui.actions.keys import SHORTCUTS
 from armui.ui.background import Background
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.guide.guide_page import GuidePage
-from armui.ui.guide.place import sections_named, windows_named
+from armui.ui.guide.place import _REGIONS, _WINDOWS
 from armui.ui.guide.text import FOLDER, parse, read_guide, search
 from armui.ui.widgets.message_line import MessageLine
 from tests.app_driver import PANELS, AtOnce
@@ -51,7 +51,9 @@ def test_both_languages_have_the_same_sections_and_functions():
 
 
 def test_every_place_leads_to_a_section(sections):
-    assert sections_named() | set(PANELS) <= {section.anchor for section in sections}
+    assert {*_WINDOWS.values(), *_REGIONS.values(), *PANELS} <= {
+        section.anchor for section in sections
+    }
 
 
 def test_every_window_and_page_has_a_section():
@@ -65,7 +67,7 @@ def test_every_window_and_page_has_a_section():
                 bases = {each.id for each in node.bases if isinstance(each, ast.Name)}
                 if bases & {"ArmDialog", "Page"}:
                     classes.add(node.name)
-    assert classes - asking - holding == windows_named()
+    assert classes - asking - holding == set(_WINDOWS)
 
 
 def test_the_help_of_the_picture_names_mouse_keys_and_figures():

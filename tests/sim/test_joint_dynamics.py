@@ -11,6 +11,7 @@ import pytest
 from armui.sim.mechanics.joint_dynamics import DriverLaw, JointDynamics, JointLosses
 from armui.sim.mechanics.rigid_body import DOWN, RigidBody, piper_links
 from tests.family import FACTORY_LIMITS
+from tests.sim.energy import kinetic_energy_j, potential_energy_j
 
 TICK_S = 0.005
 BODY = RigidBody(piper_links())
@@ -87,11 +88,11 @@ def test_speed_and_torque_setpoints_count_as_the_law_has_it() -> None:
 def test_a_falling_arm_without_losses_keeps_its_energy_nearly_and_with_them_loses_it() -> None:
     for losses, gains in ((LOSSLESS, 0.05), (JointLosses(), 1e-9)):
         joints, speeds = LEANING.copy(), np.zeros(6)
-        energy = first = BODY.potential_energy_j(joints)
+        energy = first = potential_energy_j(BODY, joints)
         dynamics, limp = JointDynamics(losses), law(list(range(6)))
         for _ in range(60):
             joints, speeds = dynamics.step(BODY, limp, joints, speeds, stops_rad=WIDE, dt_s=TICK_S)
-            now = BODY.potential_energy_j(joints) + BODY.kinetic_energy_j(joints, speeds)
+            now = potential_energy_j(BODY, joints) + kinetic_energy_j(BODY, joints, speeds)
             assert now <= max(energy, first) + gains
             energy = now
         assert np.abs(speeds).max() > 1.0
@@ -153,12 +154,12 @@ def test_nearly_nothing_in_every_field_never_makes_a_joint_faster() -> None:
     level = (0.0, 0.0, 0.0)  # no gravity: what moves, moves by the fields alone
     joints, speeds = LEANING.copy(), np.array((1.0, -0.5, 0.5, 1.0, -1.0, 2.0))
     dynamics = JointDynamics()
-    energy = BODY.kinetic_energy_j(joints, speeds)
+    energy = kinetic_energy_j(BODY, joints, speeds)
     for _ in range(400):
         joints, speeds = dynamics.step(
             BODY, nearly, joints, speeds, stops_rad=WIDE, dt_s=TICK_S, down=level
         )
-        now = BODY.kinetic_energy_j(joints, speeds)
+        now = kinetic_energy_j(BODY, joints, speeds)
         assert now <= energy + 1e-12
         energy = now
     assert energy == 0.0

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from armui.sim.mechanics.gravity import DOWN_BY_MOUNTING
 from armui.sim.mechanics.rigid_body import ROTOR_INERTIAS_KG_M2, RigidBody, piper_links
 from tests.family import FACTORY_LIMITS
+from tests.sim.energy import kinetic_energy_j, potential_energy_j
 
 poses = st.tuples(*(st.floats(j.min_deg, j.max_deg) for j in FACTORY_LIMITS)).map(np.radians)
 speeds = st.tuples(*(st.floats(-3.0, 3.0) for _ in FACTORY_LIMITS)).map(np.array)
@@ -23,7 +24,7 @@ NUDGES = 1e-5 * np.eye(6)
 def test_gravity_is_the_slope_of_the_potential_energy(pose, down, payload_kg) -> None:
     body = RigidBody(piper_links(), payload_kg)
     slope = [
-        (body.potential_energy_j(pose + each, down) - body.potential_energy_j(pose - each, down))
+        (potential_energy_j(body, pose + each, down) - potential_energy_j(body, pose - each, down))
         / 2e-5
         for each in NUDGES
     ]
@@ -41,7 +42,10 @@ def test_the_bias_is_that_of_lagrange(pose, turning) -> None:
     ahead, _ = body.equation(pose + 1e-5 * turning, turning)
     behind, _ = body.equation(pose - 1e-5 * turning, turning)
     kinetic = [
-        (body.kinetic_energy_j(pose + each, turning) - body.kinetic_energy_j(pose - each, turning))
+        (
+            kinetic_energy_j(body, pose + each, turning)
+            - kinetic_energy_j(body, pose - each, turning)
+        )
         / 2e-5
         for each in NUDGES
     ]

@@ -194,16 +194,6 @@ class RigidBody:
         bias += (axes * beyond).sum(axis=1)
         return mass_matrix, bias
 
-    def kinetic_energy_j(self, joints_rad: Values, speeds_rad_s: Values) -> float:
-        """Return the kinetic energy in J."""
-        mass_matrix, _ = self.equation(joints_rad, speeds_rad_s)
-        return float(speeds_rad_s @ mass_matrix @ speeds_rad_s) / 2.0
-
-    def potential_energy_j(self, joints_rad: Values, down: Sequence[float] = DOWN) -> float:
-        """Return the potential energy in J, counted from the base."""
-        *_, centres = self._place(joints_rad)
-        return -G_M_S2 * float(self._masses @ (centres @ np.asarray(down)))
-
     def _place(self, joints_rad: Values) -> tuple[Values, Values, Values, Values, Values]:
         """Return axes, origins, rotations, steps from origin to origin, and centres of mass."""
         angles = (joints_rad + self._thetas)[:, None, None]

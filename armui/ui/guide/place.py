@@ -76,13 +76,3 @@ def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
         each = each.parentWidget()
     seen = (page for page in pages if page is not None and page.isVisible())
     return next((_WINDOWS.get(type(page).__name__, "") for page in seen), "") or panel
-
-
-def windows_named() -> set[str]:
-    """Return the classes of the windows and pages that have a section."""
-    return set(_WINDOWS)
-
-
-def sections_named() -> set[str]:
-    """Return every section that a place other than a panel leads to."""
-    return {*_WINDOWS.values(), *_REGIONS.values()}
