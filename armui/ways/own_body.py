@@ -228,12 +228,6 @@ class _Rods:
         return np.column_stack((distances - radii_mm, apart, heights + radii_mm))
 
 
-def segment_distances(a: Array, b: Array, c: Array, d: Array) -> Array:
-    """Return (n,) the shortest distances between the segments a–b and c–d, all (n, 3)."""
-    gaps: Array = np.linalg.norm(_apart(a, b, c, d), axis=1)
-    return gaps
-
-
 def _apart(a: Array, b: Array, c: Array, d: Array) -> Array:
     """Return (n, 3) the shortest ways to the segments a–b from the segments c–d."""
     one, other, between = b - a, d - c, a - c

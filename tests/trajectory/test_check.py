@@ -20,7 +20,7 @@ from armui.trajectory.planning.timing import plan_path
 from armui.trajectory.points.program import GripperOpening, Trajectory, Waypoint
 from armui.trajectory.samples.recording import Recording
 from armui.ui.words.findings import finding_line
-from armui.ways.own_body import OwnBody, segment_distances
+from armui.ways.own_body import OwnBody
 from tests.trajectory.arms import (
     ARM,
     HERE,
@@ -32,6 +32,7 @@ from tests.trajectory.arms import (
     pose_near,
     run,
 )
+from tests.ways.segments import segment_distances
 
 
 def found(report: CheckOutcome) -> list[tuple[str, int | None]]:

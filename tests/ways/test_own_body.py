@@ -11,7 +11,7 @@ from armui.cell.held_objects import HeldObject
 from armui.cell.held_shape import held_shape
 from armui.kinematics.forward import links
 from armui.protocol.generation import PiperModel
-from armui.ways.own_body import OwnBody, _carried, _pairs, _with, segment_distances
+from armui.ways.own_body import OwnBody, _carried, _pairs, _with
 from tests.cell.sampled_ways import (
     HIGH,
     LOW,
@@ -23,6 +23,7 @@ from tests.cell.sampled_ways import (
     step,
     turn,
 )
+from tests.ways.segments import segment_distances
 
 REST = (0.0, -2.0, 2.0, -1.4, 22.0, -2.6)
 """The pose in which the maker lays the arm down."""
