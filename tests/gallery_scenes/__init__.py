@@ -173,6 +173,7 @@ DIALOG_SCENES = (
     DialogScene("confirm-mounting", "mounting", firmware.mounting_question),
     DialogScene("hold-zero", "motors", panels.hold_zero),
     DialogScene("hold-disable", "motors", panels.hold_disable),
+    DialogScene("hold-below", "target-typed", dialogs.hold_below),
     DialogScene("backup", "joint-settings-corrupt", arm_settings.backup),
     DialogScene("confirm-unsaved", "collision-levels", arm_settings.confirm_unsaved),
     DialogScene("confirm-end-run", "run", dialogs.confirm_close),

@@ -20,7 +20,7 @@ from tests.gallery_scenes.scene import settled
 
 _PUSH = fault("collision", 2)
 
-_LOW_DEG = (10.0, 125.0, -60.0, 15.0, 40.0, 20.0)
+LOW_DEG = (10.0, 125.0, -60.0, 15.0, 40.0, 20.0)
 REACH_OUT_DEG = (35.0, 95.0, -70.0, 20.0, 45.0, -30.0)
 
 
@@ -123,7 +123,7 @@ def stopped_in_another_theme(app_driver: AppDriver) -> None:
 def low(app_driver: AppDriver) -> None:
     """Jogged to where the fingertip is below the plane that the arm stands on."""
     _enabled(app_driver)
-    app_driver.controller.motion.send_joints(_LOW_DEG)
+    app_driver.controller.motion.send_joints(LOW_DEG, -1000.0)
     app_driver.run_until(lambda: app_driver.controller.operating_state.moving)
     _until(app_driver, StepKind.BELOW_BASE)
     app_driver.run_until(lambda: not app_driver.controller.operating_state.moving, seconds=60.0)

@@ -32,6 +32,7 @@ from armui.ui.dialogs.files import FileDialog
 from armui.ui.dialogs.settings import SettingsDialog
 from armui.ui.dialogs.simulated_faults import FaultsDialog
 from tests.app_driver import AppDriver
+from tests.gallery_scenes.arm import LOW_DEG
 
 ADAPTERS = (
     Device("socketcan", "can0", None),
@@ -126,6 +127,14 @@ def file(app_driver: AppDriver) -> QDialog:
 
 def confirm_disable(app_driver: AppDriver) -> QDialog:
     app_driver.click("enable_button")
+    return app_driver.dialog(ConfirmDialog)
+
+
+def hold_below(app_driver: AppDriver) -> QDialog:
+    """A target below the floor, sent."""
+    for joint, angle_deg in enumerate(LOW_DEG, start=1):
+        app_driver.type_into(f"target_field_{joint}", f"{angle_deg}")
+    app_driver.click("send_button")
     return app_driver.dialog(ConfirmDialog)
 
 
