@@ -460,7 +460,8 @@ class Interface(QObject):
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
         self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
-        if asks(operation) and not self._grants_itself:
+        agreed = bool(waiting.call.params.get("agreed_mm"))  # it is the operator who agrees
+        if (asks(operation) or agreed) and not self._grants_itself:
             if self._consent is not None:
                 raise refused(reasons.CONSENT_BUSY())
             waiting.bound = bound

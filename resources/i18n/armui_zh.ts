@@ -4686,6 +4686,10 @@
         <source>Name</source>
         <translation>名称</translation>
     </message>
+    <message>
+        <source>Height over the floor, mm</source>
+        <translation>距地面高度，mm</translation>
+    </message>
 </context>
 <context>
     <name>FileDialog</name>

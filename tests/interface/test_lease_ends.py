@@ -12,6 +12,7 @@ from tests.company import OtherHost
 from tests.interface.conftest import with_lease
 
 FAR = [60.0, 60.0, -60.0, 0.0, 0.0, 0.0]
+LOW = [10.0, 125.0, -60.0, 15.0, 40.0, 20.0]
 
 
 def begin_motion(client, desk):
@@ -345,6 +346,21 @@ def test_what_needs_consent_is_asked_each_time(leased, desk):
     assert "number" in leased.answer(enabled)["result"]
     desk.rig.run(1.0)
     assert not any(desk.rig.controller.operating_state.enabled)
+
+
+def test_below_the_floor_it_is_the_operator_who_agrees(leased, desk):
+    rig = desk.rig
+    low = leased.refused("motion.send", lease=leased.lease, angles_deg=LOW)
+    assert low["data"]["reason"] == "leads_below"
+    agreed = -low["data"]["figures"]["value"]
+    sent = leased.begin("motion.send", lease=leased.lease, angles_deg=LOW, agreed_mm=agreed)
+    leased.wait(lambda: desk.view.consent is not None)
+    assert desk.view.consent.arguments["agreed_mm"] == agreed
+    rig.run(0.3)
+    assert rig.firmware.joints_deg == pytest.approx((0.0,) * 6, abs=0.1)
+    desk.consent(given=True)
+    assert "number" in leased.answer(sent)["result"]
+    leased.wait(lambda: rig.firmware.joints_deg[1] > 30.0)
 
 
 def test_a_consent_of_an_ended_lease_does_nothing(leased, desk):

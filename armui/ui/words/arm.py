@@ -96,6 +96,7 @@ _FIGURES: Final = Texts("Figure") | {
     "percent": "Speed",
     "axis": "Axis",
     "name": "Name",
+    "agreed_mm": "Height over the floor, mm",
 }
 
 GRIPPER_ACTS: Final = Texts("GripperAct") | {
