@@ -31,7 +31,6 @@ class JogFloor:
             counts.
         held: Returns the shape of what the hand holds, or ``None``.
         rising: Returns how the base stands in the room.
-
     """
 
     _context: Context

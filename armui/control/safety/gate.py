@@ -352,10 +352,9 @@ class Gate(ControllerPart):
         measured_deg = context.authority.measured_deg()
         if refusal is not None or measured_deg is None:
             return refusal or context.authority.why_unmeasured()
-        planned = request.plan(measured_deg)
-        refusal = planned if isinstance(planned, Refusal) else self._asks_first(request, planned)
-        if refusal is not None or isinstance(planned, Refusal):
-            return refusal
+        planned = self._planned(request, measured_deg)
+        if isinstance(planned, Refusal):
+            return planned
         state, now_s = context.connection.newest, context.clock()
         self._rest.observe(state, now_s)
         motion = momentum(state, self._accelerations(), now_s)
@@ -379,14 +378,14 @@ class Gate(ControllerPart):
         self._begin_check(pending, rules, planned)
         return self._follow(pending)
 
-    def _asks_first(self, request: MotionRequest, way: Way) -> Refusal | None:
-        """Return what the operator must agree to before a way is driven, or ``None``."""
-        rules = self.rules()
-        if rules is None or request.agreed_mm is None:
-            return None
+    def _planned(self, request: MotionRequest, begin_deg: Sequence[float]) -> Way | Refusal:
+        """Return the way of a motion, why there is none, or what the operator is asked before."""
+        way, rules = request.plan(begin_deg), self.rules()
+        if isinstance(way, Refusal) or rules is None or request.agreed_mm is None:
+            return way
         low = _leads_below(way, rules, request.agreed_mm)
         # nobody is asked about what is refused anyway
-        return low and (self._why_not_from(request, way.begin_deg) or low)
+        return way if low is None else self._why_not_from(request, begin_deg) or low
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
@@ -520,7 +519,7 @@ class Gate(ControllerPart):
         rules = self.rules()
         if not self._rest.at_rest or begin_deg is None or rules is None:
             return None
-        way = pending.request.plan(begin_deg)
+        way = self._planned(pending.request, begin_deg)
         if isinstance(way, Refusal):
             return way
         self._begin_check(pending, rules, way)
