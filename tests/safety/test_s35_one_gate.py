@@ -14,6 +14,7 @@ from armui.cell.cell import Cell
 from armui.cell.work_area import Area, AreaBox
 from armui.control.context import COMMAND_OVER, REFUSED
 from armui.control.motion.jog_path import JointJog
+from armui.control.motion.motion_command import End
 from armui.control.operations.started import Ending, Started
 from armui.control.run.progress import Run, RunPhase
 from armui.control.run.replay import Replay
@@ -366,9 +367,9 @@ def test_a_run_is_told_that_what_it_waits_for_is_void(slow):
     rig, thread = slow
     controller = rig.controller
     runs = ((controller.player, RUN), (controller.replayer, Replay(even_turn())))
-    for length_mm, (run, content) in enumerate(runs, start=50):
+    for run, content in runs:
         accepted(run.start(content))
-        controller.cell.use_own_tool((0.0, 0.0, length_mm, 0.0, 0.0, 0.0))
+        controller._authority.end_command(End.OTHER_MODE)
         rig.run(0.1)
         assert run.progress.refusal == COMMAND_OVER()
     thread.work()
