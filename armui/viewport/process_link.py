@@ -254,12 +254,6 @@ class Mailbox(Generic[T]):
         with self._changed:
             return self._is_closed
 
-    @property
-    def has_item(self) -> bool:
-        """True if an item waits."""
-        with self._changed:
-            return self._item is not None
-
     def take(self, timeout_s: float | None = None) -> T | None:
         """Wait until results were used, then until there is an item.
 

@@ -90,7 +90,7 @@ def settings_refused(app_driver: AppDriver) -> QDialog:
 def palette(app_driver: AppDriver) -> QDialog:
     app_driver.click("commands_button")
     dialog = app_driver.dialog(CommandPalette)
-    app_driver.wait(lambda: dialog.knows_names)
+    app_driver.wait(lambda: dialog._names.known)
     dialog.search.setText("ydkz")
     return dialog
 

@@ -36,7 +36,7 @@ def open_palette(app_driver, window=None):
     app_driver.wait(window.isActiveWindow)
     QTest.keyClick(window, Qt.Key.Key_K, Qt.KeyboardModifier.ControlModifier)
     palette = app_driver.dialog(CommandPalette)
-    app_driver.wait(lambda: palette.knows_names)
+    app_driver.wait(lambda: palette._names.known)
     return palette
 
 

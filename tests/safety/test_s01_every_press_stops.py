@@ -318,7 +318,7 @@ def test_the_palette_stops_and_halts_too(app_driver, presses, words, expected):
     app_driver.store.change(language="zh")
     command_palette(app_driver, None)
     palette = app_driver.dialog(CommandPalette)
-    app_driver.wait(lambda: palette.knows_names)
+    app_driver.wait(lambda: palette._names.known)
     palette.search.setText(words)
     QTest.keyClick(palette.search, Qt.Key.Key_Return)
     assert presses() == expected

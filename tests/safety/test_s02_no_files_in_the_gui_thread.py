@@ -331,7 +331,7 @@ def test_what_opens_by_a_key_in_every_window(live_driver, monkeypatch, name):
         getattr(app_driver.window.findChild(WindowActions), f"open_{name}")()
         dialog = app_driver.dialog(QDialog)
         if isinstance(dialog, CommandPalette):
-            app_driver.wait(lambda: dialog.knows_names)
+            app_driver.wait(lambda: dialog._names.known)
             dialog.search.setText("ydkz")
         app_driver.run(0.2)
         dialog.close()

@@ -39,7 +39,7 @@ def test_only_the_latest_is_kept(box):
         box.put(item)
     assert box.take() == "c"
     assert box.take_at_once() is None
-    assert not box.has_item
+    assert box._item is None
 
 
 def test_a_sleeping_reader_wakes_for_an_item(box):
@@ -88,7 +88,7 @@ def test_an_interrupted_reader_does_not_sleep_until_it_may(box):
     assert reader.result() is None
     box.put("a")
     assert box.take() is None
-    assert box.has_item
+    assert box._item is not None
     box.resume()
     assert box.take() == "a"
 

@@ -244,7 +244,7 @@ def test_a_covered_view_has_no_more_drawn_than_it_can_hold(view, qtbot):
         view.set_joints((float(angle_deg),) * 6, 0.0)
         if angle_deg < 2:
             qtbot.wait_until(lambda n=angle_deg: len(frames) > n, timeout=LIMIT_MS)
-    qtbot.wait_until(lambda: view._client._link._mailbox.has_item, timeout=LIMIT_MS)
+    qtbot.wait_until(lambda: view._client._link._mailbox._item is not None, timeout=LIMIT_MS)
     assert len(frames) == 2
     assert shown.slot not in {picture.frame.slot for picture in frames}
     view.setUpdatesEnabled(True)

@@ -190,11 +190,6 @@ class CommandPalette(ArmDialog):
         self.retranslate_ui()
         background.begin_here(Job(self._take_names), read_names)
 
-    @property
-    def knows_names(self) -> bool:
-        """True if translations and pinyin have been read, so that both are searched."""
-        return self._names.known
-
     # -- what is offered ----------------------------------------------------------------------
 
     def _take_names(self, names: Names | Refusal) -> None:
