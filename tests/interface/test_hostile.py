@@ -241,7 +241,7 @@ def test_a_line_or_arc_to_the_moon_costs_the_window_nothing(leased, desk):
         ("tool.arc", {"points": [here, far[1], beside]}),
     ):
         told = leased.refused(method, lease=leased.lease, **params)
-        assert told["data"]["reason"].startswith("path_"), told
+        assert told["data"]["reason"].startswith(("path_", "pose_out_of_reach")), told
     assert time.thread_time() - began_s < 1.0, "of ten seconds and more"
     for points in ([], [here], [here] * 4):
         assert leased.refused("tool.arc", lease=leased.lease, points=points)["code"] == -32602
