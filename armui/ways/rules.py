@@ -30,7 +30,7 @@ from armui.cell.area_check import AREA_IN_THE_WAY, AREA_ONLY_OUT, AreaCheck
 from armui.cell.enclosure import Body, Capsule
 from armui.cell.work_area import Area, AreaPlane
 from armui.kinematics.poses import matrix_to_pose
-from armui.ways.law import Excess, Rule, first_breach
+from armui.ways.law import Excess, Rule
 from armui.ways.own_body import OwnBody
 from armui.ways.way import Array, Way, with_ramps
 
@@ -319,12 +319,11 @@ class Rules:
         """
         if any(rule.name == FLOOR for rule in self.every):
             return None
-        ramped, floor = self.ramped(way), FloorRule(self.arm, agreed_mm)
-        breach = first_breach(ramped, floor)
-        if breach is None:
-            return None
-        deepest = float(floor.outside(floor.finely(ramped)).max())
-        return agreed_mm - max(deepest, breach.outside)
+        floor = FloorRule(self.arm, 0.0)
+        depths_mm = floor.outside(floor.finely(self.ramped(way)))[:, 0]
+        deepest_mm, begin_mm = float(depths_mm.max()), float(depths_mm[0])
+        # no noise is granted: many motions would be granted it many times
+        return -deepest_mm if deepest_mm > max(-agreed_mm, begin_mm) + floor.exact else None
 
     @property
     def are_bounded(self) -> bool:

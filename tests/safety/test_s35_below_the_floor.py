@@ -170,6 +170,19 @@ def test_an_arm_below_may_come_up_and_goes_no_deeper_unasked(ahead):
     assert moved_deg(ahead) < 0.1
 
 
+def test_fifty_small_ones_lead_no_deeper_unasked(ahead):
+    motion = ahead.controller.motion
+    accepted(motion.send_joints(LOW_DEG, -500.0))
+    ahead.come_to_rest()
+    depth_mm = height_mm(ahead)
+    for _ in range(50):
+        target_deg = list(ahead.firmware.joints_deg)
+        target_deg[1] += 0.1
+        motion.send_joints(target_deg)
+        ahead.run(0.2)
+    assert height_mm(ahead) > depth_mm - 0.1
+
+
 def test_what_is_refused_anyway_is_not_asked(ahead):
     refusal = ahead.controller.motion.send_joints(BEYOND_DEG)
     assert refusal.reason is JOINT_OUT_OF_LIMITS
