@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from datetime import datetime
 from typing import TYPE_CHECKING, Final
@@ -163,12 +164,20 @@ class AuthorityWatch:
             return
         status = self._connection.newest.status
         refused = status is not None and status.value.arm_status in TARGET_REFUSALS
+        refused = refused and not self._is_there(command)
         if status is not None and status.value.reached and not refused:
             _close(command, Ending.DONE, EventOutcome(ARRIVED.id, now_s, Level.DONE))
         else:
             figures = {"end": "refused" if refused else "short"}
             short = EventOutcome(MOTION_CUT.id, now_s, Level.WARNING, figures)
             _close(command, Ending.FAILED, short)
+
+    def _is_there(self, command: MotionCommand) -> bool:
+        """Return whether the arm is measured nearer to where a way ends than to where it began."""
+        measured_deg, way = self.authority.measured_deg(), command.way
+        if measured_deg is None or way is None:
+            return False
+        return math.dist(measured_deg, way.end_deg) < math.dist(measured_deg, way.begin_deg)
 
     def take_over(self, now_s: float) -> Refusal | None:
         """Take the arm over from another host that pauses; return ``None``, or why not.

@@ -10,7 +10,7 @@ from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.authority import Authority
 from armui.control.events import Notice
-from armui.control.link.link_state import LINK_LOST, why_unreachable
+from armui.control.link.link_state import LINK_LOST, LinkState, why_unreachable
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Ending, Started
@@ -74,6 +74,16 @@ class Context:
     observe: Callable[[], None]
     authority: Authority
     begun: Callable[[str], object]
+
+    @property
+    def rests(self) -> bool:
+        """True if no motion of ours may be under way: what they are checked with may change."""
+        authority, now = self.authority, self.operating_state()
+        if self.connection.device is None:
+            return True
+        if now.link is not LinkState.ONLINE or authority.may_be_ours or authority.about_to_move:
+            return False  # in a silence a motion of ours may go on
+        return now.occupied is None and (authority.at_rest or authority.number == 0)
 
     def refuse(self, refusal: Refusal, *, sends: bool = True) -> Refusal:
         """Tell the operator why something was not done; return the reason.

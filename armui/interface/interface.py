@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
+from armui.arm.figures import check_figure
 from armui.arm.limits import check_joints
 from armui.arm.refusal import Refusal
 from armui.control.events import Event, Notice
@@ -25,6 +26,7 @@ from armui.control.motion.target_stream import TargetJog, angles_of_pose
 from armui.control.operating_state import StopState
 from armui.control.operations.operation import Consent
 from armui.control.operations.started import Ending, Started
+from armui.control.safety.gate import AGREED
 from armui.control.safety.interlocks import JOINTS_UNKNOWN
 from armui.interface import answers, reasons
 from armui.interface.interface_view import Consented, InterfaceView
@@ -460,8 +462,10 @@ class Interface(QObject):
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
         self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
-        agreed = bool(waiting.call.params.get("agreed_mm"))  # it is the operator who agrees
-        if (asks(operation) or agreed) and not self._grants_itself:
+        height_mm = waiting.call.params.get("agreed_mm", 0.0)
+        agrees = height_mm != 0.0 and check_figure("agreed_mm", height_mm, AGREED) is None
+        # it is the operator who agrees
+        if (asks(operation) or agrees) and not self._grants_itself:
             if self._consent is not None:
                 raise refused(reasons.CONSENT_BUSY())
             waiting.bound = bound

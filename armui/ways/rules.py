@@ -59,6 +59,7 @@ OWN_BODY: Final = "own_body"
 
 _NOISE_MM: Final = 1.0
 _EXACT_MM: Final = 0.01
+_SOME: Final = 129
 _FINE_DEG: Final = 0.1
 _WITH_RAMPS: Final = 1.5
 """So much longer takes a way with what the ramps of the joints may do to it."""
@@ -319,11 +320,14 @@ class Rules:
         """
         if any(rule.name == FLOOR for rule in self.every):
             return None
-        floor = FloorRule(self.arm, 0.0)
-        depths_mm = floor.outside(floor.finely(self.ramped(way)))[:, 0]
+        depths_mm = self._floor.outside(_some_poses(way))[:, 0]
         deepest_mm, begin_mm = float(depths_mm.max()), float(depths_mm[0])
         # no noise is granted: many motions would be granted it many times
-        return -deepest_mm if deepest_mm > max(-agreed_mm, begin_mm) + floor.exact else None
+        return -deepest_mm if deepest_mm > max(-agreed_mm, begin_mm) + _EXACT_MM else None
+
+    @cached_property
+    def _floor(self) -> FloorRule:
+        return FloorRule(self.arm, 0.0)
 
     @property
     def are_bounded(self) -> bool:
@@ -349,6 +353,17 @@ def rules_of(arm: ArmModel, area: AreaCheck | None = None, lowest_mm: float | No
         every.append(AreaRule(area))
     every.append(OwnBodyRule(body))
     return Rules(tuple(every), arm)
+
+
+def _some_poses(way: Way) -> Array:
+    """Return (n, 6) poses on a way, few enough for the window's thread; a mm may lie between them.
+
+    Its law is not judged by them: they tell how low it leads before somebody agrees to it.
+    """
+    turns_deg = np.abs(np.diff(way.joints_deg, axis=0)).max(axis=1)
+    at = np.concatenate(([0.0], np.cumsum(turns_deg)))
+    places = np.linspace(0.0, at[-1], _SOME)
+    return np.column_stack([np.interp(places, at, column) for column in way.joints_deg.T])
 
 
 def place_on(joints_deg: Array, index: int, share: float) -> tuple[float, ...]:

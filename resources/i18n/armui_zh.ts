@@ -12312,10 +12312,6 @@ The other program must have ended.</source>
         <translation>未发送：检查路径期间机械臂移动了，或检查所依据的内容已改变。请再按一次。</translation>
     </message>
     <message>
-        <source>The arm would come {value} mm below the floor. Go there only if nothing is there. With a lowest height chosen under Settings this is not asked each time.</source>
-        <translation>机械臂将低至地面以下 {value} mm。确认那里没有物体后才可前往。在“设置”中选定最低高度后，不再逐次询问。</translation>
-    </message>
-    <message>
         <source>This frame ends an emergency stop and lets the arm drop. Use Release in the main window, once the arm is supported.</source>
         <translation>该帧会解除急停并使机械臂坠落。请先托住机械臂，再使用主窗口中的“解除急停”。</translation>
     </message>
@@ -12422,6 +12418,10 @@ The other program must have ended.</source>
     <message>
         <source>No point of “{name}” is saved, and what is not saved does not run. Open it and save it.</source>
         <translation>“{name}”没有已保存的轨迹点，未保存的内容不能执行。请打开并保存。</translation>
+    </message>
+    <message>
+        <source>The arm would come some {value} mm below the floor. Go there only if nothing is there. With a lowest height chosen under Settings this is not asked each time.</source>
+        <translation>机械臂将低至地面以下约 {value} mm。确认那里没有物体后才可前往。在“设置”中选定最低高度后，不再逐次询问。</translation>
     </message>
     <message>
         <source>The arm reports: {status}. The line above the panels says what helps.</source>

@@ -363,6 +363,13 @@ def test_below_the_floor_it_is_the_operator_who_agrees(leased, desk):
     leased.wait(lambda: rig.firmware.joints_deg[1] > 30.0)
 
 
+@pytest.mark.parametrize("height_mm", [5.0, -6000.0])
+def test_a_height_that_nobody_can_agree_to_is_refused_unasked(leased, desk, height_mm):
+    low = leased.refused("motion.send", lease=leased.lease, angles_deg=LOW, agreed_mm=height_mm)
+    assert low["data"]["reason"] == "figure_out_of_range"
+    assert desk.view.consent is None
+
+
 def test_a_consent_of_an_ended_lease_does_nothing(leased, desk):
     leased.begin("motors.disable", lease=leased.lease)
     leased.wait(lambda: desk.view.consent is not None)

@@ -103,7 +103,7 @@ def test_a_target_in_which_the_arm_would_touch_itself_is_told_before_it_is_sent(
 def test_a_target_below_the_floor_is_told_before_it_is_sent(at):
     type_joints(at, BELOW)
     assert at.ghost == pytest.approx(BELOW)
-    assert "come 99 mm below the floor" in note(at)
+    assert "come some 10" in note(at)
     type_joints(at)
     assert note(at) == PREVIEW
 

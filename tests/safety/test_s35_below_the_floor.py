@@ -8,13 +8,14 @@ from PySide6.QtWidgets import QApplication
 from armui.arm.limits import JOINT_OUT_OF_LIMITS
 from armui.cell.cell import Cell
 from armui.cell.placement import Placement
-from armui.control.operations.started import Ending
+from armui.control.operations.started import Ending, Started
 from armui.control.safety.gate import LEADS_BELOW
 from armui.protocol.codes import MoveMode
 from armui.trajectory.points.program import Waypoint
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from armui.ways.rules import TOO_LOW
 from tests.accepted import accepted
+from tests.control.jogger import bend
 from tests.operator.editor.actions import Editor
 
 AHEAD_DEG = (0.0, 80.0, -60.0, 0.0, 20.0, 0.0)
@@ -213,3 +214,41 @@ def test_what_a_motion_was_checked_with_stays_until_it_rests(ahead):
     assert controller.jog_floor.lowest_mm == 450
     assert controller.cartesian.tool == (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
     assert controller.motion.send_joints(LOW_DEG).reason is TOO_LOW
+
+
+DIPPING = [
+    ((0.0, 110.0, -70.0, -33.0, 18.0, 2.0), (0.0, 178.0, -62.0, -43.0, 55.0, 72.0)),
+    ((-19.0, 150.0, -142.0, -71.0, 23.0, -61.0), (-19.0, 128.0, -4.0, -25.0, -44.0, -72.0)),
+    ((115.0, 97.0, -2.0, 67.0, 35.0, -50.0), (0.0,) * 6),
+]
+"""Ways whose ramps lead lower than the even turn; the last begins below the floor."""
+
+
+@pytest.mark.parametrize(("begin", "end"), DIPPING)
+def test_what_is_asked_is_enough_for_the_same_way(rig, begin, end):
+    rig.lie(begin)
+    rig.ready()
+    asked = rig.controller.motion.send_joints(end)
+    if not isinstance(asked, Started):
+        assert asked.reason is LEADS_BELOW
+        accepted(rig.controller.motion.send_joints(end, -float(asked.params["value"])))
+
+
+def test_in_a_silence_a_motion_keeps_what_it_was_checked_with(rig):
+    bend(rig)
+    control = rig.controller
+    control.motion.set_speed_percent(20)
+    accepted(control.motion.send_joints((120.0, *rig.firmware.joints_deg[1:])))
+    rig.run(0.5)
+    control.jog_floor.lowest_mm = 450
+    control.cell.use_own_tool((0.0, 0.0, 90.0, 0.0, 0.0, 0.0))
+    rules = control.gate.rules()
+    rig.node.link.off = True
+    rig.run(1.0)
+    rig.node.link.off = False
+    rig.run(0.2)
+    assert control.operating_state.moving
+    assert control.gate.rules() is rules
+    rig.run_until(lambda: not control.operating_state.moving, seconds=30.0)
+    rig.run(0.5)
+    assert control.jog_floor.lowest_mm == 450

@@ -190,8 +190,7 @@ class CellControl(ControllerPart):
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
         """Take the tool of the settings, which holds while no cell is in force; at rest."""
         self._wanted_tool = tool
-        pressed = self._context.authority.about_to_move  # a motion counts from its press
-        if not pressed and why_not_change(self._context.operating_state()) is None:
+        if self._context.rests:
             self._own_tool = tool
             self._take_effect()
 

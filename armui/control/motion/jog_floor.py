@@ -45,14 +45,15 @@ class JogFloor:
     @property
     def lowest_mm(self) -> int | None:
         """The least height of motions, or ``None``; another one that is chosen counts at rest."""
-        now, pressed = self._context.operating_state(), self._context.authority.about_to_move
-        if now.occupied is None and not now.moving and not pressed:
+        if self._context.rests:
             self._lowest_mm = self._chosen_mm
         return self._lowest_mm
 
     @lowest_mm.setter
     def lowest_mm(self, chosen_mm: int | None) -> None:
         self._chosen_mm = chosen_mm
+        if self._context.rests:
+            self._lowest_mm = chosen_mm
 
     def height_mm(self, joints_deg: Sequence[float]) -> float:
         """Return the height of flange or fingertip at six angles, whichever is lower."""

@@ -58,7 +58,7 @@ WAY_UNKNOWN = Reason(
 )
 LEADS_BELOW = Reason(
     "leads_below",
-    "The arm would come {value} mm below the floor. Go there only if nothing is there. With a "
+    "The arm would come some {value} mm below the floor. Go there only if nothing is there. With a "
     "lowest height chosen under Settings this is not asked each time.",
 )
 CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMAND, streams=True)
@@ -74,7 +74,8 @@ _AT_ONCE: Final = 400.0
 _SET_ANEW: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER, Mover.GRAVITY})
 """Who brings the arm where our motions did not: it is found outside anew."""
 
-Agreed = Annotated[float, Range(-5000.0, 0.0, "mm")]
+AGREED: Final = Range(-5000.0, 0.0, "mm")
+Agreed = Annotated[float, AGREED]
 """The height over the floor down to which the operator has agreed that a motion goes."""
 Plan = Callable[[Sequence[float]], "Way | Refusal"]
 """Returns the way from six angles at which the arm rests, or why there is none."""
@@ -385,7 +386,7 @@ class Gate(ControllerPart):
             return way
         low = _leads_below(way, rules, request.agreed_mm)
         # nobody is asked about what is refused anyway
-        return way if low is None else self._why_not_from(request, begin_deg) or low
+        return way if low is None else self._why_not(way) or low
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
         """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
@@ -407,7 +408,8 @@ class Gate(ControllerPart):
         if motion is not None:
             limits = self._context.operating_state().limits
             begin_deg = motion.stops_at(measured_deg, limits)
-        refusal = self._why_not_from(request, begin_deg)
+        planned = self._planned(request, begin_deg)
+        refusal = planned if isinstance(planned, Refusal) else self._why_not(planned)
         if refusal is not None:
             return refusal
         if not self._context.authority.is_ending:
@@ -416,11 +418,11 @@ class Gate(ControllerPart):
         self._wait_for(request)
         return None
 
-    def _why_not_from(self, request: MotionRequest, begin_deg: Sequence[float]) -> Refusal | None:
-        """Return why a motion could not begin at six angles, as far as that is known at once."""
-        way, rules = request.plan(begin_deg), self.rules()
-        if isinstance(way, Refusal) or rules is None:
-            return way if isinstance(way, Refusal) else None
+    def _why_not(self, way: Way) -> Refusal | None:
+        """Return why a way could not be driven, as far as that is known at once."""
+        rules = self.rules()
+        if rules is None:
+            return None
         if _is_short(way, rules):
             return _judge(way, rules, self._marks).refusal
         from armui.ways.law import judge_end  # noqa: PLC0415 - numpy
@@ -605,4 +607,4 @@ def _judge(way: Way, rules: Rules, marks: Marks) -> Judgement:
 
 def _leads_below(way: Way, rules: Rules, agreed_mm: float) -> Refusal | None:
     lowest_mm = rules.lowest_mm(way, agreed_mm)
-    return None if lowest_mm is None else LEADS_BELOW(value=math.ceil(-lowest_mm))
+    return None if lowest_mm is None else LEADS_BELOW(value=math.ceil(0.5 - lowest_mm))
