@@ -20,6 +20,7 @@ from armui.kinematics.poses import matrix_to_pose, shifted, tool_matrix
 from armui.protocol.codes import ArmStatusCode, MoveMode
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
+from armui.sim.condition import Condition
 from tests.accepted import accepted
 from tests.control.jogger import (
     BENT_DEG,
@@ -222,6 +223,18 @@ def test_a_step_that_the_arm_itself_refuses_as_singular_is_not_read_back(rig):
     assert rig.controller.state.status.value.arm_status == ArmStatusCode.SINGULARITY
     assert step.ending is Ending.FAILED
     assert step.result.params == {"end": "refused"}
+
+
+@pytest.mark.parametrize("said", [2, 3, 4])
+def test_a_motion_that_arrives_is_not_told_as_refused_by_a_status_that_stays(
+    rig, monkeypatch, said
+):
+    bend(rig)
+    monkeypatch.setattr(Condition, "status", property(lambda _: ArmStatusCode(said)))
+    rig.run(0.3)
+    started = accepted(rig.controller.motion.send_joints((30.0, *BENT_DEG[1:])))
+    rig.run_until(lambda: started.ending is not None)
+    assert started.ending is Ending.DONE
 
 
 def test_a_line_out_of_reach_is_told_so_though_it_begins_where_it_is_singular(rig):
