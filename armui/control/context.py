@@ -81,9 +81,11 @@ class Context:
         authority, now = self.authority, self.operating_state()
         if self.connection.device is None:
             return True
-        if now.link is not LinkState.ONLINE or authority.may_be_ours or authority.about_to_move:
-            return False  # in a silence a motion of ours may go on
-        return now.occupied is None and (authority.at_rest or authority.number == 0)
+        if authority.may_be_ours or authority.about_to_move or now.occupied is not None:
+            return False
+        # in a silence a motion of ours may go on
+        heard_at_rest = now.link is LinkState.ONLINE and authority.at_rest
+        return heard_at_rest or authority.number == 0
 
     def refuse(self, refusal: Refusal, *, sends: bool = True) -> Refusal:
         """Tell the operator why something was not done; return the reason.

@@ -60,6 +60,7 @@ OWN_BODY: Final = "own_body"
 _NOISE_MM: Final = 1.0
 _EXACT_MM: Final = 0.01
 _SOME: Final = 129
+"""So many poses tell how low a way leads."""
 _FINE_DEG: Final = 0.1
 _WITH_RAMPS: Final = 1.5
 """So much longer takes a way with what the ramps of the joints may do to it."""

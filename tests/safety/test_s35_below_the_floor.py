@@ -123,6 +123,32 @@ def test_who_says_no_has_sent_nothing(ahead, press):
     assert moved_deg(ahead) < 0.1
 
 
+@pytest.mark.parametrize(
+    ("press", "field"),
+    [("Send", "target_field_1"), ("MOVE P", "pose_field_Y"), ("MOVE L", "pose_field_Y")],
+)
+def test_what_was_typed_since_is_not_what_was_asked_about(ahead, press, field):
+    """The ghost shows the new target by then: what is held may not go to the old one."""
+    ACTS[press](ahead)
+    ahead.type_into(field, "80")
+    (question,) = questions()
+    ahead.hold_button(question.action_button)
+    ahead.run(1.0)
+    assert questions() == []
+    assert moved_deg(ahead) < 0.1
+
+
+def test_another_row_is_not_the_one_that_was_asked_about(ahead):
+    low = Waypoint(MoveMode.MOVE_J, LOW_DEG)
+    editor = Editor(ahead, low, Waypoint(MoveMode.MOVE_J, (60.0, *LOW_DEG[1:])))
+    editor.choose(0)
+    editor.act("go_to")
+    editor.choose(1)
+    ahead.hold()
+    ahead.run(1.0)
+    assert moved_deg(ahead) < 0.1
+
+
 def test_a_lowest_height_answers_it(ahead):
     ahead.controller.jog_floor.lowest_mm = -300
     press_send(ahead)

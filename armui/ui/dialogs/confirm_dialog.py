@@ -101,6 +101,7 @@ def drive(
     controller: ArmController,
     move: Callable[[float], Started | Refusal],
     answered: Callable[[Started | Refusal], object],
+    about: Callable[[], object],
 ) -> None:
     """Send a single motion; one that leads below the floor is asked about, by a button to hold.
 
@@ -109,13 +110,15 @@ def drive(
         controller: Receives the emergency stop.
         move: Sends the motion, given the height down to which the operator agrees to go.
         answered: Called with the answer to the motion; not at all if the operator says no.
+        about: Returns what the motion was taken from, as the figures in the fields: other ones
+            withdraw the question.
     """
     answer = move(0.0)
     if not isinstance(answer, Refusal) or answer.reason is not LEADS_BELOW:
         answered(answer)
         return
     agreed_mm = -float(str(answer.params["value"]))
-    rules = controller.gate.rules()
+    rules, given = controller.gate.rules(), about()
     confirm(
         parent.window(),
         controller,
@@ -124,7 +127,7 @@ def drive(
         action_label=QCoreApplication.translate("ConfirmDialog", "Go there"),
         on_confirmed=lambda: answered(move(agreed_mm)),
         hold=True,
-        still=lambda: controller.gate.rules() is rules,
+        still=lambda: controller.gate.rules() is rules and about() == given,
     )
 
 

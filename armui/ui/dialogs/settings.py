@@ -22,6 +22,7 @@ from armui.arm.models import model_data
 from armui.arm.refusal import Refusal
 from armui.control.arm_controller import ArmController
 from armui.control.cell.cell_control import why_not_change
+from armui.control.cell.cell_reasons import CELL_WHILE_MOVING
 from armui.control.events import Level
 from armui.setting_checks import JOG_STEP_NOT_A_NUMBER
 from armui.setting_fields import JOG_FLOOR_MM, JOG_STEP_DEG, LIVE_PORT
@@ -285,8 +286,10 @@ class SettingsDialog(ArmDialog):
         on = self.jog_floor_box.isChecked()
         self.jog_floor_spin.setEnabled(on)
         height = self.jog_floor_spin.value() if on else None
-        waits = why_not_change(self._controller.operating_state)
-        self._show_problem(self._store.change(jog_floor_mm=height) or waits)
+        refusal = self._store.change(jog_floor_mm=height)
+        if refusal is None and why_not_change(self._controller.operating_state) is not None:
+            refusal = CELL_WHILE_MOVING()  # it is kept, and counts at rest
+        self._show_problem(refusal)
 
     def _on_live_port(self, port: int) -> None:
         self._show_problem(self._store.change(live_port=port))

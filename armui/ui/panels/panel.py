@@ -19,7 +19,7 @@ from armui.control.safety.interlocks import ARM_FAULT, STOP_REQUESTED, STOPPED
 from armui.control.safety.recovery_steps import UNHINDERED, Step, StepKind
 from armui.ui import words
 from armui.ui.actions.act import HasActs
-from armui.ui.dialogs.confirm_dialog import confirm, drive
+from armui.ui.dialogs.confirm_dialog import confirm
 from armui.ui.widgets.buttons import named
 from armui.ui.widgets.layouts import in_column
 from armui.ui.widgets.message_line import MessageLine
@@ -199,19 +199,6 @@ class Panel(HasActs, Translated, QWidget):
         else:
             self._message.show_message("")
         self._share_room()
-
-    def _drive(
-        self,
-        move: Callable[[float], Started | Refusal],
-        then: Callable[[], object] = lambda: None,
-    ) -> None:
-        """Send a single motion, see :func:`drive`, and do the rest once it is sent."""
-
-        def answered(answer: Started | Refusal) -> None:
-            if self._accepted(answer):
-                then()
-
-        drive(self, self._controller, move, answered)
 
     def _ask_to_hold(
         self,

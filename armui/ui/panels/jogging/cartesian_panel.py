@@ -404,6 +404,9 @@ class CartesianPanel(JogPanel):
         self._drive(partial(self._controller.cartesian.move, target, move_mode), self._on_sent)
         self.show_acts()
 
+    def _given_figures(self) -> list[object]:
+        return [*super()._given_figures(), *self._arc.poses]
+
     def _on_sent(self) -> None:
         self._sent = True
         self.show_acts()

@@ -23,6 +23,7 @@ from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Ending, Started
 from armui.ui import format as fmt
 from armui.ui import words
+from armui.ui.dialogs.confirm_dialog import drive
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import choice_button, describe, enable_or_explain, named
@@ -611,6 +612,23 @@ class JogPanel(Panel):
         accepted = super()._accepted(answer)
         self.show_acts()
         return accepted
+
+    def _drive(
+        self,
+        move: Callable[[float], Started | Refusal],
+        then: Callable[[], object] = lambda: None,
+    ) -> None:
+        """Send a single motion, see :func:`drive`, and do the rest once it is sent."""
+
+        def answered(answer: Started | Refusal) -> None:
+            if self._accepted(answer):
+                then()
+
+        drive(self, self._controller, move, answered, self._given_figures)
+
+    def _given_figures(self) -> list[object]:
+        """Return what the operator has given for a motion: the targets, and what a panel adds."""
+        return [row.field.value if row.own else None for row in self._rows]
 
     def _on_noticed(self, event: Event) -> None:
         """Say why a jog has ended or a motion was not sent; drop all targets after a new zero."""

@@ -345,6 +345,9 @@ class MotionPanel(JogPanel):
         self._untaken = targets_deg, self.given()
         self._release(*JOINTS)
 
+    def _given_figures(self) -> list[object]:
+        return [*super()._given_figures(), self._own_home.angles_deg]
+
     @staticmethod
     def _why_no_figure(row: JointRow) -> Refusal:
         if row.field.is_nonsense():

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QHeaderView, QLineEdit, QMenu, QWidget
 from armui.arm.limits import JointLimits
 from armui.arm.refusal import Refusal
 from armui.control.events import Level
-from armui.control.operations.started import refusal_of
+from armui.control.operations.started import Started, refusal_of
 from armui.control.run.preflight import Checks, Preflight
 from armui.control.run.progress import OVER, Progress
 from armui.control.run.replay import RUN_EMPTY
@@ -674,7 +674,10 @@ class EditorPage(Page):
         if isinstance(move, Refusal):
             self._tell(move)
         else:
-            drive(self, self._controller, move, lambda answer: self._tell(refusal_of(answer)))
+            drive(self, self._controller, move, self._on_driven, self._edits.current_point)
+
+    def _on_driven(self, answer: Started | Refusal) -> None:
+        self._tell(refusal_of(answer))
 
     # Words ------------------------------------------------------------------------------------
 

@@ -423,12 +423,17 @@ class PointEdits(QObject):
         self._document.convert(points, fit.kind, self.tr("Convert zeros"))
         return True
 
+    def current_point(self) -> Waypoint | None:
+        """Return the point of the current row, if there is one."""
+        row = self._table.current_row()
+        return self._document.points[row] if row >= 0 else None
+
     def motion_here(self) -> Callable[[float], Started | Refusal] | Refusal:
         """Return what sends the arm to the current point, without its actions; see `drive`."""
-        row = self._table.current_row()
-        if row < 0:
+        given = self.current_point()
+        if given is None:
             return NO_ROWS_CHOSEN()
-        point = self._in_frame(self._document.points[row], "")
+        point = self._in_frame(given, "")
         if isinstance(point, Refusal):
             return point
         if point.is_joint:
