@@ -242,6 +242,16 @@ def test_what_a_motion_was_checked_with_stays_until_it_rests(ahead):
     assert controller.motion.send_joints(LOW_DEG).reason is TOO_LOW
 
 
+def test_what_waits_for_the_rest_of_a_motion_counts_once_the_device_is_closed(ahead):
+    controller = ahead.controller
+    accepted(controller.motion.send_joints((60.0, *AHEAD_DEG[1:])))
+    ahead.store.change(jog_floor_mm=450, tool=(0.0, 0.0, 90.0, 0.0, 0.0, 0.0))
+    ahead.run(0.3)
+    controller.disconnect_device()
+    assert controller.jog_floor.lowest_mm == 450
+    assert controller.cartesian.tool == (0.0, 0.0, 90.0, 0.0, 0.0, 0.0)
+
+
 DIPPING = [
     ((0.0, 110.0, -70.0, -33.0, 18.0, 2.0), (0.0, 178.0, -62.0, -43.0, 55.0, 72.0)),
     ((-19.0, 150.0, -142.0, -71.0, 23.0, -61.0), (-19.0, 128.0, -4.0, -25.0, -44.0, -72.0)),

@@ -233,7 +233,7 @@ class CellControl(ControllerPart):
     def end_device(self) -> None:
         """The device was closed by the operator: the cell stays chosen."""
         self._device = None
-        self._take_effect()
+        self.use_own_tool(self._wanted_tool)
 
     def forget_arm(self) -> None:
         """Have the cell confirmed again: what is heard next may be another arm."""

@@ -337,11 +337,6 @@ class PlotBoard(QWidget):
             self._missing = missing
             self.draw_soon()
 
-    @property
-    def draws(self) -> bool:
-        """True if it is drawing now."""
-        return self._timer.isActive()
-
     def draw_soon(self) -> None:
         """Draw as soon as possible, because something has changed."""
         self._dirty = True
