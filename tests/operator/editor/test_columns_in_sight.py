@@ -52,6 +52,20 @@ def test_a_change_of_language_cuts_no_cell(app_driver):
 
 
 @pytest.mark.styled
+def test_what_is_scrolled_into_sight_is_whole(app_driver):
+    app_driver.store.change(language="en")
+    app_driver.window.resize(1920, 1000)
+    lit = replace(BEGIN, light=LightAction(1, 0, 255, 0))
+    table = Editor(app_driver, *[BEGIN] * 60, lit, *[BEGIN] * 60).table
+    app_driver.store.change(language="zh")
+    QApplication.processEvents()
+    column = PointColumn.LIGHT
+    before_px = table.columnWidth(column)
+    table.scrollTo(table.points.index(60, column))
+    assert table.columnWidth(column) >= table.sizeHintForColumn(column) > before_px
+
+
+@pytest.mark.styled
 def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
     app_driver.window.resize(1280, 800)
     app_driver.click("library_button")

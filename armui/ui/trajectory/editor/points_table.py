@@ -100,6 +100,7 @@ class PointsTable(QTableView):
         across.setStretchLastSection(True)
         for column, look in LOOKS.items():
             self.setColumnWidth(column, look.width_px)
+        self.verticalScrollBar().valueChanged.connect(self.make_room)
 
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
@@ -127,9 +128,9 @@ class PointsTable(QTableView):
             self.setColumnWidth(PointColumn.MIDDLE, width_px)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Fit the middle poses to the new width."""
+        """Fit the columns to the new width, and to the rows that are in sight by it."""
         super().resizeEvent(event)
-        self._fit_middle()
+        self.make_room()
 
     def _on_number_menu(self, at: QPoint) -> None:
         """Show the same actions beside a row's number, for that row."""
@@ -148,7 +149,7 @@ class PointsTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
     def make_room(self) -> None:
-        """Widen columns for what stands in them."""
+        """Widen columns for what stands in them, in the rows that are in sight."""
         for column, look in LOOKS.items():
             if not look.most_px:
                 continue
