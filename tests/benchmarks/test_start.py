@@ -46,7 +46,7 @@ def main():
     from armui.simulated_arms import SIMULATED, SimulatedArms
     from armui.control.arm_controller import ArmController
     from armui.control.operating_state import LinkState
-    from armui.system.helper_process import HelperProcess
+    from armui.system.helper_process import FileThread, HelperProcess
     from armui.settings import SettingsStore
     from armui.ui.theme import make_application
 
@@ -54,7 +54,8 @@ def main():
     arms = SimulatedArms()
     arms.begin(SIMULATED[0])  # as the command does
     controller = ArmController(partial(open_device, arms=arms), SIMULATED)
-    program = Program(app, SettingsStore(Path(sys.argv[1])), controller, HelperProcess())
+    store, files = SettingsStore(Path(sys.argv[1])), FileThread()
+    program = Program(app, store, controller, HelperProcess(), files=files)
     program.window.resize(1280, 800)
     program.window.show()
     app.processEvents()
