@@ -30,7 +30,8 @@ BUTTONS: Final[Mapping[DeviceKind, tuple[str, ...]]] = {
 }
 """The buttons that can be assigned; the cross moves the arm."""
 
-_OPTIONAL: Final = frozenset({"halt", "mode", "episode", "discard"})
+OPTIONAL: Final = frozenset({"halt", "mode", "episode", "discard"})
+"""The actions that may have no button."""
 
 DEAD_ZONES: Final[Mapping[DeviceKind, float]] = {
     DeviceKind.GAMEPAD: 0.18,
@@ -148,7 +149,7 @@ def wrong_in(kind: DeviceKind, wanted: Assignment) -> str:
     """Return the first action whose button is missing, unknown or used twice; empty if none."""
     taken: set[str] = set()
     for action, button in asdict(wanted).items():
-        if not button and action in _OPTIONAL:
+        if not button and action in OPTIONAL:
             continue
         if button not in BUTTONS[kind] or button in taken:
             return action

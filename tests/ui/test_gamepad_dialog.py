@@ -147,6 +147,19 @@ def test_a_button_is_assigned_for_this_device_and_kept(app_driver, dialog, pads)
     assert again[MOUSE.name]["mode"] == "3"
 
 
+def test_an_action_may_have_no_button_and_takes_none_from_the_stop(app_driver, dialog, pads):
+    switch_on(app_driver, dialog, pads, PAD)
+    pilot, box = app_driver.controller.gamepad, dialog._buttons._boxes["discard"]
+    assert box.currentText() == "No button"
+    choose(dialog, "discard", "a")
+    assert pilot.buttons_of(PAD).discard == "a"
+    choose(dialog, "discard", "")
+    assert (pilot.buttons_of(PAD).discard, box.currentText()) == ("", "No button")
+    choose(dialog, "discard", "b")  # the stop would have none
+    assert (pilot.buttons_of(PAD).stop, pilot.buttons_of(PAD).discard) == ("b", "")
+    assert box.currentText() == "No button"
+
+
 def test_the_first_buttons_come_back(app_driver, dialog, pads):
     switch_on(app_driver, dialog, pads, PAD)
     choose(dialog, "dead_man", "a")

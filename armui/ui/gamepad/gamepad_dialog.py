@@ -27,6 +27,7 @@ from armui.gamepad.layout import (
     BUTTONS,
     DEAD_ZONES,
     DEFAULTS,
+    OPTIONAL,
     SOURCES,
     SPEED_AXIS,
     Assignment,
@@ -70,7 +71,6 @@ _HEIGHT_PX: Final = 18
 _GROOVE_PX: Final = 8.0
 _CORNER_PX: Final = 4.0
 _MOST_SEEN: Final = 12
-_OPTIONAL: Final = frozenset({"halt", "mode"})
 
 
 class ButtonRows(HasActs, Translated, QWidget):
@@ -129,7 +129,7 @@ class ButtonRows(HasActs, Translated, QWidget):
         self.chosen.emit(DEFAULTS[self._kind])
 
     def _choices(self, action: str) -> tuple[str, ...]:
-        return (*(("",) if action in _OPTIONAL else ()), *BUTTONS[self._kind])
+        return (*(("",) if action in OPTIONAL else ()), *BUTTONS[self._kind])
 
     def _on_chosen(self, action: str, place: int) -> None:
         button = self._boxes[action].itemData(place)
