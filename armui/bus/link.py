@@ -13,8 +13,8 @@ BUS_OFF = Reason(
     "bus_off",
     "{device} is bus off: too many errors on the CAN bus, so its controller takes no part any "
     "more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then "
-    "disconnect and connect again; on socketcan run «sudo ip link set {channel} type can "
-    "restart» before.",
+    "disconnect and connect again; on socketcan run “sudo ip link set {channel} type can "
+    "restart” before.",
 )
 BUS_SEND_BLOCKED = Reason(
     "bus_send_blocked",

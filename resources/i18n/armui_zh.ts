@@ -1562,7 +1562,7 @@
 <context>
     <name>ClientQuestion</name>
     <message>
-        <source>It is the program “{program}”, process {process}, of yours.</source>
+        <source>It is the program “{program}”, process {process}, run by you.</source>
         <translation>来自您的程序“{program}”（进程 {process}）。</translation>
     </message>
     <message>
@@ -1611,11 +1611,11 @@
         <translation>1–8 级检测碰撞，0 级不检测。厂家未公布 1 级与 8 级哪个更灵敏。</translation>
     </message>
     <message>
-        <source>Level 0 – no collision detection: {joints} will not stop when they hit something or someone.</source>
+        <source>Level 0 – no collision detection: {joints} will not stop after hitting something or someone.</source>
         <translation>等级 0 – 不检测碰撞：{joints} 碰到物体或人时不会停止。</translation>
     </message>
     <message>
-        <source>This switches the collision detection of {joints} off: the arm will not stop when they hit something or someone. Keep everyone out of its reach.</source>
+        <source>This switches the collision detection of {joints} off: the arm will not stop after hitting something or someone. Keep everyone out of its reach.</source>
         <translation>将关闭 {joints} 的碰撞检测：碰到物体或人时机械臂不会停止。请确保工作范围内无人。</translation>
     </message>
     <message>
@@ -5983,7 +5983,7 @@ Z 轴指向 {direction}</translation>
         <translation>“{client}”申请操作机械臂</translation>
     </message>
     <message>
-        <source>It then moves the arm by itself, within every check, until you take it back. Keep clear of the arm. Stop, halt, and any motion of yours end it.</source>
+        <source>It then moves the arm by itself, within every check, until you take it back. Keep clear of the arm. Stop, halt, and any motion you begin end it.</source>
         <translation>授予后它会自行操作机械臂（仍受全部检查），直到您收回。请与机械臂保持距离。急停、停住或您自己的任何操作都会结束它。</translation>
     </message>
     <message>
@@ -12156,10 +12156,6 @@ The other program must have ended.</source>
         <translation>没有权限打开设备 {device}。Linux 下：串口适配器请将当前用户加入 dialout 组，USB 适配器请安装其 udev 规则，然后重新登录。</translation>
     </message>
     <message>
-        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run «sudo ip link set {channel} type can restart» before.</source>
-        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
-    </message>
-    <message>
         <source>{device} needs a Python package that is not installed. Install it in a terminal: pip install {package}</source>
         <translation>设备 {device} 需要的 Python 软件包尚未安装。请在终端中安装：pip install {package}</translation>
     </message>
@@ -12366,6 +12362,10 @@ The other program must have ended.</source>
     <message>
         <source>“{client}” asks for the arm, or holds it. Wait until it is free, or have the operator take it back.</source>
         <translation>“{client}”正在申请或持有机械臂。请等它释放，或由操作员收回。</translation>
+    </message>
+    <message>
+        <source>{device} is bus off: too many errors on the CAN bus, so its controller takes no part any more. Check CAN_H and CAN_L, both terminating resistors (120 Ω) and the bit rate, then disconnect and connect again; on socketcan run “sudo ip link set {channel} type can restart” before.</source>
+        <translation>{device} 处于总线关闭（bus off）：CAN 总线错误过多，其控制器已退出总线。请检查 CAN_H、CAN_L、两端 120 Ω 终端电阻和波特率，然后断开并重新连接；socketcan 请先执行 sudo ip link set {channel} type can restart。</translation>
     </message>
     <message>
         <source>The arm is too near to “{name}” of the work area: {part}, by {value} mm; this would bring it nearer still. Move it away.</source>
@@ -12646,6 +12646,10 @@ The other program must have ended.</source>
     <message>
         <source>Joint angles belong to no frame, and this point names “{name}”. Make it MOVE P, L or C, or take the frame away.</source>
         <translation>关节角度不属于任何坐标系，但该点写明了坐标系“{name}”。请改为 MOVE P、L 或 C，或去掉坐标系。</translation>
+    </message>
+    <message>
+        <source>What the question was about has changed: nothing was done. Try again.</source>
+        <translation>所询问的情况已经改变：未执行任何操作。请重新操作。</translation>
     </message>
     <message>
         <source>No park position is kept for this arm. Set it with the arrow beside.</source>
@@ -13362,10 +13366,6 @@ The other program must have ended.</source>
     <message>
         <source>The live stream cannot be served at port {port} ({text}). Choose another port in the settings.</source>
         <translation>无法在端口 {port} 提供实时数据流（{text}）。请在设置中选择其他端口。</translation>
-    </message>
-    <message>
-        <source>What the question was about has changed: nothing was sent. Try again.</source>
-        <translation>所询问的内容已经改变：未发送任何内容。请重新操作。</translation>
     </message>
     <message>
         <source>The drag was cancelled: the arm, or what was dragged, has changed. Drag again.</source>

@@ -23,7 +23,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_row
 from armui.ui.widgets.text_label import text_label
 
 ASKED_OTHERWISE = Reason(
-    "asked_otherwise", "What the question was about has changed: nothing was sent. Try again."
+    "asked_otherwise", "What the question was about has changed: nothing was done. Try again."
 )
 
 
@@ -187,6 +187,7 @@ class ConfirmDialog(ArmDialog):
 
         self._hint = text_label(rank="muted")
         self._hint.setVisible(hold)
+        action_label = action_label.rstrip("…")  # what asked had it: this acts
         self.action_button: QPushButton
         if hold:
             self.action_button = HoldButton(controller, action_label)

@@ -135,7 +135,7 @@ class ClientQuestion(ConfirmDialog):
 
     def _who(self) -> str:
         program = breakable(self._client.program) or "?"
-        return self.tr("It is the program “{program}”, process {process}, of yours.").format(
+        return self.tr("It is the program “{program}”, process {process}, run by you.").format(
             program=program, process=self._client.process
         )
 
@@ -218,7 +218,7 @@ class GrantDialog(ClientQuestion):
         wants = (
             self.tr(
                 "It then moves the arm by itself, within every check, until you take it back. "
-                "Keep clear of the arm. Stop, halt, and any motion of yours end it."
+                "Keep clear of the arm. Stop, halt, and any motion you begin end it."
             )
             if ask.moves
             else self.tr("It wants to set something, and moves nothing.")

@@ -184,7 +184,7 @@ class RecoveryLine(Translated, QWidget):
                 self._controller,
                 title=words.step_question(action),
                 text=words.step_danger(action),
-                action_label=words.step_action(action).rstrip("…"),
+                action_label=words.step_action(action),
                 on_confirmed=lambda: self._controller.recovery.act(step, action),
                 hold=True,
                 still=lambda: self._controller.recovery.step.kind is step.kind,

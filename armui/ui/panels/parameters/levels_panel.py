@@ -209,7 +209,7 @@ class CollisionPanel(LevelsPanel):
         if not blind:
             return ""
         return self.tr(
-            "Level 0 – no collision detection: {joints} will not stop when they hit something or "
+            "Level 0 – no collision detection: {joints} will not stop after hitting something or "
             "someone."
         ).format(joints=fmt.joints(blind))
 
@@ -225,8 +225,8 @@ class CollisionPanel(LevelsPanel):
         if not blind:
             return ""
         return self.tr(
-            "This switches the collision detection of {joints} off: the arm will not stop when "
-            "they hit something or someone. Keep everyone out of its reach."
+            "This switches the collision detection of {joints} off: the arm will not stop "
+            "after hitting something or someone. Keep everyone out of its reach."
         ).format(joints=fmt.joints(blind))
 
     def remark(self, cell: SettingCell) -> str:
