@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Final
+
+from PySide6.QtCore import QCoreApplication
 
 NOTHING: Final = "—"
 """The text for a value that has not been heard from the arm."""
@@ -78,9 +80,14 @@ def count(number: int) -> str:
     return f"{number:,}"
 
 
+def listed(texts: Iterable[str]) -> str:
+    """Return texts as a list in a line, with the commas of the operator's language."""
+    return QCoreApplication.translate("Format", ", ").join(texts)
+
+
 def joints(numbers: list[int]) -> str:
     """Return joint numbers as a list in a line: ``J1, J3``."""
-    return ", ".join(f"J{joint}" for joint in numbers)
+    return listed(f"J{joint}" for joint in numbers)
 
 
 def joint_spans(numbers: list[int]) -> str:
@@ -92,10 +99,10 @@ def joint_spans(numbers: list[int]) -> str:
         else:
             spans.append([joint])
     texts = (
-        f"J{span[0]}–J{span[-1]}" if len(span) > 2 else ", ".join(f"J{joint}" for joint in span)
+        f"J{span[0]}–J{span[-1]}" if len(span) > 2 else listed(f"J{joint}" for joint in span)
         for span in spans
     )
-    return ", ".join(texts)
+    return listed(texts)
 
 
 def duration(seconds: float | None, decimals: int = 1) -> str:
@@ -126,7 +133,7 @@ def short(name: str) -> str:
 
 def name_list(names: Sequence[str]) -> str:
     """Return names as a list in a line: at most five, and the number of the others."""
-    shown = ", ".join(names[:_MOST_NAMES])
+    shown = listed(names[:_MOST_NAMES])
     more = len(names) - _MOST_NAMES
     return f"{shown} … (+{more})" if more > 0 else shown
 

@@ -293,8 +293,8 @@
         <translation>操作员视图：只有点动、运行和停止</translation>
     </message>
     <message>
-        <source>User guide</source>
-        <translation>使用指南</translation>
+        <source>Help</source>
+        <translation>使用帮助</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
@@ -3346,7 +3346,7 @@
     </message>
     <message>
         <source>{channel} is off the bus (bus-off): too many errors. Check the cable, the terminating resistors and the bit rate ({bitrate}), then bring it back.</source>
-        <translation>{channel} 已离线（bus-off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
+        <translation>{channel} 已离线（bus off）：错误过多。请检查电缆、终端电阻和波特率（{bitrate}），然后恢复。</translation>
     </message>
     <message>
         <source>{channel} sees many errors ({state}, counters {tx}/{rx}): nobody acknowledges, or the bit rate {bitrate} is not the arm&apos;s. Is the arm switched on? CAN_H and CAN_L swapped? 120 Ω at both ends?</source>
@@ -3374,7 +3374,7 @@
     </message>
     <message>
         <source>{channel} does not come back by itself from bus-off (restart-ms is 0).</source>
-        <translation>{channel} 发生 bus-off 后不会自动恢复（restart-ms 为 0）。</translation>
+        <translation>{channel} 发生 bus off 后不会自动恢复（restart-ms 为 0）。</translation>
     </message>
     <message>
         <source>{channel}: the kernel has dropped {count} received frames since it was switched on; the computer was too busy.</source>
@@ -3955,7 +3955,7 @@
     </message>
     <message>
         <source>Saved. Another program had changed “{name}” since it was opened here: what it saved is in the library under “Recently deleted…”.</source>
-        <translation>已保存。“{name}”在此处打开后被另一个程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
+        <translation>已保存。“{name}”在此处打开后被另一程序修改过：其保存的内容可在轨迹库的“最近删除…”中找到。</translation>
     </message>
     <message>
         <source>Base</source>
@@ -3986,7 +3986,7 @@
     </message>
     <message>
         <source>Enabled</source>
-        <translation>使能</translation>
+        <translation>已使能</translation>
     </message>
     <message>
         <source>Partly enabled</source>
@@ -3998,7 +3998,7 @@
     </message>
     <message>
         <source>Disabled</source>
-        <translation>失能</translation>
+        <translation>已失能</translation>
     </message>
     <message>
         <source>Stopped</source>
@@ -4740,7 +4740,7 @@
     <name>FilterBar</name>
     <message>
         <source>Identifiers in hexadecimal: 2A1, 2A1-2A8, or value/mask as in 150/7F0</source>
-        <translation>十六进制 ID：2A1、2A1-2A8，或 值/掩码，例如 150/7F0</translation>
+        <translation>十六进制 ID：2A1、2A1-2A8，或“值/掩码”，例如 150/7F0</translation>
     </message>
     <message>
         <source>“{value}” is not an identifier; the filter is unchanged.</source>
@@ -5193,6 +5193,13 @@
     <message>
         <source>Press Add. It is in force once it is chosen above.</source>
         <translation>请按“添加”。在上方选择后才生效。</translation>
+    </message>
+</context>
+<context>
+    <name>Format</name>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -6386,20 +6393,20 @@ Close it by hand before. With a wrong zero it presses against its stop, or does 
         <translation>没有章节包含“{text}”。</translation>
     </message>
     <message>
-        <source>User guide</source>
-        <translation>使用指南</translation>
+        <source>Help</source>
+        <translation>使用帮助</translation>
     </message>
     <message>
-        <source>Search the guide</source>
-        <translation>在指南中查找</translation>
+        <source>Search the help</source>
+        <translation>搜索帮助</translation>
+    </message>
+    <message>
+        <source>Text of the help</source>
+        <translation>帮助正文</translation>
     </message>
     <message>
         <source>Contents</source>
         <translation>目录</translation>
-    </message>
-    <message>
-        <source>Text of the guide</source>
-        <translation>指南正文</translation>
     </message>
     <message>
         <source>en</source>
@@ -8593,7 +8600,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Another program controls the arm ({frames}).</source>
-        <translation>另一个程序正在控制机械臂（{frames}）。</translation>
+        <translation>另一程序正在控制机械臂（{frames}）。</translation>
     </message>
     <message>
         <source>A leader arm moves this arm ({frames}).</source>
@@ -9065,7 +9072,7 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>The emergency stop was undone, and not by this program: another host has released the arm, or it was switched off and on. Press the emergency stop again if it must stay.</source>
-        <translation>急停被解除，但不是本程序所为：另一个程序解除了急停，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
+        <translation>急停被解除，但不是本程序所为：另一程序解除了急停，或机械臂断电后重新上电。若必须保持停止，请再按急停。</translation>
     </message>
     <message>
         <source>The arm has confirmed the emergency stop. Release stands in the line of the next step.</source>
@@ -10282,11 +10289,11 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation>夹爪开口</translation>
+        <translation>夹爪开度</translation>
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪扭矩</translation>
+        <translation>夹爪力矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -10696,11 +10703,11 @@ pose</source>
     </message>
     <message>
         <source>Gripper opening</source>
-        <translation>夹爪开口</translation>
+        <translation>夹爪开度</translation>
     </message>
     <message>
         <source>Gripper torque</source>
-        <translation>夹爪扭矩</translation>
+        <translation>夹爪力矩</translation>
     </message>
     <message>
         <source>Gripper angle</source>
@@ -11584,7 +11591,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Another program controls the arm since {since} ({frames}).</source>
-        <translation>另一个程序正在控制机械臂：自 {since} 起（{frames}）。</translation>
+        <translation>另一程序正在控制机械臂：自 {since} 起（{frames}）。</translation>
     </message>
     <message>
         <source>A leader arm moves this arm since {since} ({frames}).</source>
@@ -11754,7 +11761,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Off by this</source>
-        <translation>偏差如此</translation>
+        <translation>确有偏差</translation>
     </message>
     <message>
         <source>The others stand as shown</source>
@@ -13109,7 +13116,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Another program controls the arm ({frames}). Wait until it has been quiet for 2 s and the arm rests, or take over when it pauses. The stop works at any time.</source>
-        <translation>另一个程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
+        <translation>另一程序正在控制机械臂（{frames}）。请等它静默 2 秒且机械臂静止，或在它停顿时接管。急停随时有效。</translation>
     </message>
     <message>
         <source>A leader arm moves this arm ({frames}). Switch the leader off, or make it a motion output. The stop works at any time.</source>
@@ -13117,7 +13124,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>The other program is still sending ({frames}): it can be taken over half a second after its last frame. Against a stream only the stop wins.</source>
-        <translation>另一个程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
+        <translation>另一程序仍在发送（{frames}）：其最后一帧过后半秒才能接管。对持续的数据流只有急停有效。</translation>
     </message>
     <message>
         <source>This connection only listens: nothing is sent but the emergency stop. Connect without Listen only to command the arm.</source>
@@ -13157,7 +13164,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Another program is writing the settings file {path}. The settings hold until this program ends; change them once more to save them.</source>
-        <translation>另一个程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
+        <translation>另一程序正在写入设置文件 {path}。设置在本程序退出前有效；再更改一次即可保存。</translation>
     </message>
     <message>
         <source>Nothing was sent: the arm was still being set or asked something a second after the press. Try again.</source>
@@ -13557,7 +13564,7 @@ The other program must have ended.</source>
     </message>
     <message>
         <source>Another program has changed the file {path} meanwhile; it was not overwritten. Export your cell under another name, then start the program again.</source>
-        <translation>另一个程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
+        <translation>另一程序此间更改了文件 {path}；未覆盖它。请把您的单元以另一名称导出，再重新启动程序。</translation>
     </message>
     <message>
         <source>{count} poses are taken; at least {minimum} are needed. Take another one.</source>
@@ -13961,6 +13968,10 @@ The other program must have ended.</source>
     <message>
         <source>without its unsaved changes</source>
         <translation>不含未保存的修改</translation>
+    </message>
+    <message>
+        <source>from here {time}</source>
+        <translation>从当前位置起 {time}</translation>
     </message>
     <message>
         <source>{time} a run</source>
@@ -14587,7 +14598,7 @@ The other program must have ended.</source>
     <name>SharedUseBanner</name>
     <message>
         <source>Another program has this library open, too ({names}). What it saves appears in this list. Do not edit the same trajectory in both.</source>
-        <translation>另一个程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
+        <translation>另一程序也打开了此轨迹库（{names}）。它保存的内容会出现在此列表中。请勿在两个程序中编辑同一条轨迹。</translation>
     </message>
 </context>
 <context>
@@ -14595,10 +14606,6 @@ The other program must have ended.</source>
     <message>
         <source>Command palette: find every function by its name</source>
         <translation>命令面板：按名称查找任何功能</translation>
-    </message>
-    <message>
-        <source>User guide, at the place where you are</source>
-        <translation>使用指南，打开当前所在处的章节</translation>
     </message>
     <message>
         <source>Faster: run or motion</source>
@@ -14675,6 +14682,10 @@ The other program must have ended.</source>
     <message>
         <source>With Space held: RX, RY, RZ of the tool</source>
         <translation>按住空格：末端 RX、RY、RZ</translation>
+    </message>
+    <message>
+        <source>Help, at the place where you are</source>
+        <translation>使用帮助，打开当前所在处的章节</translation>
     </message>
 </context>
 <context>
@@ -16492,6 +16503,10 @@ Before: {before}</source>
         <source>May be moving</source>
         <translation>可能仍在运动</translation>
     </message>
+    <message>
+        <source>Hold it. {does}.</source>
+        <translation>请扶住。{does}。</translation>
+    </message>
 </context>
 <context>
     <name>UncommandedMotionWord</name>
@@ -16781,10 +16796,6 @@ Before: {before}</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Guide</source>
-        <translation>使用指南</translation>
-    </message>
-    <message>
         <source>Feedback and commands of the last half hour. Right-click any figure to show it here.</source>
         <translation>最近半小时的反馈与指令。在任意数值上按右键即可在此显示。</translation>
     </message>
@@ -16815,6 +16826,10 @@ Before: {before}</source>
     <message>
         <source>What each joint says of itself: temperature, current, voltage, faults.</source>
         <translation>各关节自报的状态：温度、电流、电压、故障。</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>使用帮助</translation>
     </message>
     <message>
         <source>How to use the program; F1 opens it at the place where you are.</source>

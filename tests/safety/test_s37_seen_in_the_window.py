@@ -52,6 +52,13 @@ def test_after_the_stop_everything_says_that_it_sinks_until_it_rests(raised):
     assert places(raised) == before
 
 
+def test_where_there_is_little_room_the_line_says_first_to_hold_it(raised):
+    raised.controller.emergency_stop()
+    raised.run(1.5)
+    *_, shortest = words.step_texts(raised.find("recovery_line")._step)
+    assert shortest == f"Hold it. {short(raised)}."
+
+
 def test_another_language_is_taken_on_while_it_sinks(raised):
     raised.controller.emergency_stop()
     raised.run(1.5)

@@ -75,7 +75,7 @@ class UncommandedMotion:
         """Return the figures of its sentences by name."""
         return {
             "down": self.down_mm,
-            "seconds": self.seconds,
+            "seconds": self.seconds or "< 1",
             "joint": self.joint,
             "turned": f"{self.turned_deg:.1f}",
             "speed": self.speed_mm_s,

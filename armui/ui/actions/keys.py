@@ -74,7 +74,7 @@ class Shortcut:
 _ONE_PRESS: Final = (
     ("everywhere.palette", "Ctrl+K",
      Text("Shortcut", "Command palette: find every function by its name")),
-    ("everywhere.guide", "F1", Text("Shortcut", "User guide, at the place where you are")),
+    ("everywhere.guide", "F1", Text("Shortcut", "Help, at the place where you are")),
     ("everywhere.faster", "F7",
      Text("Shortcut", "Faster: run or motion")),
     ("everywhere.episode", "F6", Text("Shortcut", "Begin or end an episode of the log")),

@@ -71,7 +71,7 @@ _COMMANDS: Final = (
             synonyms=also("dark light night 深色 浅色 夜间")),
     Command(_OPERATOR_VIEW, Text("Action", "Operator's view: only jog, run and stop"),
             synonyms=also("lock unlock kiosk protect 锁定 解锁 操作员")),
-    Command("everywhere.guide", Text("Action", "User guide"),
+    Command("everywhere.guide", Text("Action", "Help"),
             synonyms=also("manual help documentation font text size 帮助 手册 说明书 字体 字号")),
     Command("everywhere.shortcuts", Text("Action", "Keyboard shortcuts"),
             synonyms=also("keys hotkeys 热键")),

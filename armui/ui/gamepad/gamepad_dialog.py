@@ -38,6 +38,7 @@ from armui.gamepad.layout import (
 )
 from armui.setting_checks import GamepadMode
 from armui.settings import SettingsStore
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.dialogs.base import ArmDialog, CloseButton
@@ -413,13 +414,13 @@ class GamepadDialog(ArmDialog):
         texts = [self._problem] if self._problem else []
         if view.missing:
             text = self.tr("Not installed: {packages}. In a terminal: {command}")
-            texts.append(text.format(packages=", ".join(view.missing), command=PIP_COMMAND))
+            texts.append(text.format(packages=fmt.listed(view.missing), command=PIP_COMMAND))
         texts += view.problems
         if view.unusable:
             text = self.tr(
                 "Found, but cannot be used (layout not known, or no permission): {names}"
             )
-            texts.append(text.format(names=", ".join(view.unusable)))
+            texts.append(text.format(names=fmt.listed(view.unusable)))
         level = Level.WARNING if texts else Level.INFO
         if not texts and view.on and not view.devices:
             texts.append(self.tr("No device found. Plug one in, or switch it on and pair it."))

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QSizePolicy, QWidget
 from armui.arm.refusal import Refusal
 from armui.control.gamepad.pilot import GAMEPAD_NOT_IN_FRONT
 from armui.gamepad.dead_man import HoldPhase
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.shell.workspace import PageWindow
 from armui.ui.theme import Colors, colors_of
@@ -167,7 +168,7 @@ class GamepadStrip(Translated, QWidget):
         if view.missing:
             return self.tr(
                 "Gamepad: {packages} not installed. Install with pip: armui[gamepad]"
-            ).format(packages=", ".join(view.missing))
+            ).format(packages=fmt.listed(view.missing))
         if view.problems:
             return self.tr("Gamepad: {problem}").format(problem="; ".join(view.problems))
         return self.tr("Gamepad: none found. Plug one in or switch it on.")

@@ -1,4 +1,4 @@
-"""The page 使用指南: contents and a search on the left, a section on the right (F1)."""
+"""The page 使用帮助: contents and a search on the left, a section on the right (F1)."""
 
 from __future__ import annotations
 
@@ -155,11 +155,11 @@ class GuidePage(Page):
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
-        self.set_title(self.tr("User guide"))
-        self.search.setPlaceholderText(self.tr("Search the guide"))
-        self.search.setAccessibleName(self.tr("Search the guide"))
+        self.set_title(self.tr("Help"))
+        self.search.setPlaceholderText(self.tr("Search the help"))
+        self.search.setAccessibleName(self.tr("Search the help"))
         self.contents.setAccessibleName(self.tr("Contents"))
-        self.browser.setAccessibleName(self.tr("Text of the guide"))
+        self.browser.setAccessibleName(self.tr("Text of the help"))
         # Translators: the code of the language that is shown, "zh" for Chinese
         language = "zh" if self.tr("en") == "zh" else "en"
         if language != self._language:

@@ -106,7 +106,7 @@ class LeaseBar(HasActs, Translated, QWidget):
             self.setAccessibleName(text)
 
     def _idle(self, view: InterfaceView) -> str:
-        names = ", ".join(fmt.short(each.name) for each in view.clients)
+        names = fmt.listed(fmt.short(each.name) for each in view.clients)
         if not names:
             return self.tr("Local interface: no program is connected")
         return self.tr("Local interface: {names} connected, without the arm").format(names=names)

@@ -86,7 +86,7 @@ def joint_status_page() -> type[JointStatusPage]:
 
 
 def guide_page() -> type[GuidePage]:
-    """Return the class of the page 使用指南."""
+    """Return the class of the page 使用帮助."""
     from armui.ui.guide.guide_page import GuidePage  # noqa: PLC0415 - for its page
 
     return GuidePage

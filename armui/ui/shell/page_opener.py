@@ -169,7 +169,7 @@ class PageOpener(QObject):
             page.show_entry(number)
 
     def open_guide(self, section: str = "") -> None:
-        """Show the page 使用指南; the window it was asked for in does not cover it.
+        """Show the page 使用帮助; the window it was asked for in does not cover it.
 
         Args:
             section: The section to show; by default the guide is as it was left.

@@ -171,7 +171,7 @@ PAGES: Final[Mapping[str, PageEntry[PageOpener]]] = {
         command=Command("window.joint_status", Text("Action", "Joint status"),
                         synonyms=also("temperature current voltage errors 温度 电流 电压 故障"))),
     "guide": PageEntry(
-        Text("WatchMenu", "Guide"), Home.DRAWER, guide_page,
+        Text("WatchMenu", "Help"), Home.DRAWER, guide_page,
         lambda it: guide_page()(it.background),
         Text("WatchMenu", "How to use the program; F1 opens it at the place where you are."),
         show=lambda it: it.open_guide()),

@@ -31,6 +31,7 @@ from armui.session.exports.request import (
     ExportRequest,
     default_target,
 )
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act
 from armui.ui.dialogs.base import ArmDialog
@@ -125,7 +126,7 @@ def remarks_text(report: dict[str, Any]) -> list[str]:
             "ExportDialog",
             "Only channel {channel} was exported; {count:,} frames of {others} were left out.",
         )
-        others = ", ".join(report["other_channels"])
+        others = fmt.listed(report["other_channels"])
         lines.append(
             text.format(channel=report["channel"], count=report["of_other_channels"], others=others)
         )

@@ -17,6 +17,7 @@ from armui.arm.quirks import frees_gripper
 from armui.arm.state import GripperFault, Status
 from armui.protocol.codes import ControlMode, EndLoad, Mounting, TeachingState, TrajectoryCommand
 from armui.protocol.generation import Generation
+from armui.ui import format as fmt
 from armui.ui.words.text import Text, Texts, sentence
 
 if TYPE_CHECKING:
@@ -219,7 +220,7 @@ def held_target(angles_deg: object) -> str:
     """Return the target of a motion held back: six angles in degrees, or that they are unknown."""
     if not isinstance(angles_deg, tuple):
         return QCoreApplication.translate("HeldTarget", "a target this program does not know")
-    return ", ".join(f"{angle:.1f}°" for angle in angles_deg)
+    return fmt.listed(f"{angle:.1f}°" for angle in angles_deg)
 
 
 def device_name(device: Device) -> str:

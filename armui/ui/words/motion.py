@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 from armui.control.safety.uncommanded_motion import MotionKind, Unheld
-from armui.ui.words.text import Texts
+from armui.ui.words.text import Text, Texts
 
 if TYPE_CHECKING:
     from armui.control.safety.uncommanded_motion import UncommandedMotion
@@ -45,6 +45,7 @@ _WORDS: Final = Texts("UncommandedMotionWord") | {
     MotionKind.UNMEASURED: "No power",
     MotionKind.UNHEARD: "Not heard",
 }
+_HOLD: Final = Text("UncommandedMotionShort", "Hold it. {does}.")
 _BELOW: Final = Texts("UncommandedMotion") | {"nothing": "table or floor"}
 _AGO: Final = Texts("UncommandedMotion") | {"s": "{count} s", "min": "{count} min"}
 _OF_CAUSE: Final = {
@@ -75,6 +76,12 @@ def uncommanded_motion_short(motion: UncommandedMotion) -> str:
     return _SHORT.text(kind, _figures(motion)) if kind in _SHORT else ""
 
 
+def what_to_do(motion: UncommandedMotion) -> str:
+    """Return the same in a few words, with what to do first, for where there is little room."""
+    short = uncommanded_motion_short(motion)
+    return _HOLD.text().format(does=short) if motion.kind is MotionKind.SINKS else short
+
+
 def uncommanded_motion_word(kind: MotionKind) -> str:
     """Return what the arm does as one word."""
     return _WORDS.text(kind)
@@ -98,5 +105,4 @@ def _figures(motion: UncommandedMotion) -> dict[str, object]:
     long = motion.seconds >= _MINUTE_S
     count = motion.seconds // _MINUTE_S if long else motion.seconds
     ago = _AGO.text("min" if long else "s", {"count": count})
-    lasted = {"seconds": motion.seconds or "< 1"}
-    return motion.figures() | lasted | {"below": what_is_below(motion.below), "ago": ago}
+    return motion.figures() | {"below": what_is_below(motion.below), "ago": ago}

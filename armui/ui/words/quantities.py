@@ -165,7 +165,7 @@ def _code_word(what: Quantity, code: int) -> str | None:
 
 def _bits(code: int, names: list[str]) -> str:
     said = [name for place, name in enumerate(names) if code >> place & 1]
-    return ", ".join(said) or QCoreApplication.translate("Quantity", "none")
+    return fmt.listed(said) or QCoreApplication.translate("Quantity", "none")
 
 
 def _yes_or_no(code: int) -> str:

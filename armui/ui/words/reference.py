@@ -20,11 +20,11 @@ def reference_text(record: ReferenceRecord) -> str:
     """Return the state of an arm's reference and its last check, for a line of text."""
     parts = []
     if record.doubtful:
-        joints = ", ".join(map(str, record.doubtful))
+        joints = fmt.listed(map(str, record.doubtful))
         text = QCoreApplication.translate("Reference", "joint {joints} in doubt since {time}")
         parts.append(text.format(joints=joints, time=stamp_text(record.doubted_at)))
     if record.checked_at:
-        off = ", ".join(f"J{j} {fmt.angle(deg)}" for j, deg in record.off_deg.items())
+        off = fmt.listed(f"J{j} {fmt.angle(deg)}" for j, deg in record.off_deg.items())
         if off:
             text = QCoreApplication.translate("Reference", "last checked {time}: {off} off")
         else:
@@ -60,11 +60,11 @@ def inspection_text(record: ReferenceRecord) -> str:
         text = QCoreApplication.translate("Reference", "{time}: joint {joints} stands out")
     else:
         text = QCoreApplication.translate("Reference", "{time}: nothing stands out")
-    text = text.format(time=stamp_text(last.at), joints=", ".join(map(str, joints)))
+    text = text.format(time=stamp_text(last.at), joints=fmt.listed(map(str, joints)))
     if None in last.joints:
         left = [str(joint) for joint, each in zip(JOINTS, last.joints, strict=True) if each is None]
         more = QCoreApplication.translate("Reference", "; joint {joints} was not measured")
-        text += more.format(joints=", ".join(left))
+        text += more.format(joints=fmt.listed(left))
     return text
 
 

@@ -7,7 +7,7 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.control.safety.recovery_steps import ARM_FAULTS, Action, Step
 from armui.ui.words.arm import held_target
-from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short
+from armui.ui.words.motion import uncommanded_motion, uncommanded_motion_short, what_to_do
 from armui.ui.words.refusals import in_words, refusal
 from armui.ui.words.text import Text, joined, said, sentence
 
@@ -29,7 +29,7 @@ def step_texts(this: Step) -> tuple[str, ...]:
         return text, *shorter
     short = uncommanded_motion_short(this.motion)
     briefly = (_BRIEFLY.text().format(does=short, text=each) for each in (text, *shorter))
-    return joined(moves, text), *briefly, moves, short
+    return joined(moves, text), *briefly, moves, what_to_do(this.motion)
 
 
 def _obstacle(this: Step) -> tuple[str, ...]:

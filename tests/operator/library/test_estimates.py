@@ -50,12 +50,12 @@ def effective(page):
 
 def told(page):
     """How long it takes, beside Send: `≈ 3.0 s`; "" while nothing is told."""
-    text = effective(page).text().rpartition(" · ")[2]
+    text = effective(page).text().rpartition(" · ")[2].removeprefix("from here ")
     return text if text.endswith((" s", " s a run")) else ""
 
 
 def seconds(text):
-    return float(text.removeprefix("≈ ").removesuffix(" s"))
+    return float(text.removeprefix("from here ").removeprefix("≈ ").removesuffix(" s"))
 
 
 def at_full_speed(driver):
@@ -127,6 +127,7 @@ def test_beside_send_it_is_that_of_what_is_chosen(driver):
     driver.choose("both")
     at_full_speed(driver)
     driver.app_driver.wait(lambda: told(driver.window).startswith("≈"))
+    assert effective(driver.window).text().startswith("from here ≈")
     assert "from where the arm stands" in effective(driver.window).toolTip()
     driver.window.findChild(QWidget, "run_cycles").setCurrentIndex(2)
     driver.app_driver.wait(lambda: told(driver.window).endswith("a run"))

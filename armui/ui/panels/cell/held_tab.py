@@ -166,7 +166,7 @@ class HeldTab(NamedTab):
 
     @touch.tip
     def _touch_use(self) -> str:
-        named = ", ".join(sorted(self._touched))
+        named = fmt.listed(sorted(self._touched))
         return named or self.tr("What it may touch: the table, a tray.")
 
     @touch.why_not

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from armui.arm.model_check import ModelFit
 from armui.control.events import Level
+from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
 from armui.ui.widgets.buttons import named
@@ -75,7 +76,7 @@ class OtherArmLine(HasActs, Translated, QWidget):
     @_convert.tip
     def _what_converts(self) -> str:
         turns = enumerate(self._fit.zeros_from_deg(self._taught_on) or (), start=1)
-        each = ", ".join(f"J{joint} {turn:+g}°" for joint, turn in turns if turn)
+        each = fmt.listed(f"J{joint} {turn:+g}°" for joint, turn in turns if turn)
         return self.tr(
             "Turns the joints of every point by {degrees}, so that the arm comes to the same "
             "place. Poses stay: they count from the base. It can be undone."

@@ -177,7 +177,7 @@ class PointsModel(TableModel):
         if column is PointColumn.GRIPPER and point.holds is not None:
             text = self.tr("holds {name}") if point.holds else self.tr("holds nothing")
             told = (_gripper(point.gripper), text.format(name=point.holds))
-            return ", ".join(filter(None, told))
+            return fmt.listed(filter(None, told))
         return shown(point, column)
 
     def _tip(self, point: Waypoint, column: PointColumn) -> str:

@@ -393,6 +393,8 @@ class RunBar(Translated, QWidget):
             return []  # at 0 % it is held back: without end
         full = fmt.duration(estimate.seconds)
         texts = [full if estimate.is_checked else f"≈ {full}"]
+        if estimate.from_here:  # the list's figure is that of the rows alone
+            texts = [self.tr("from here {time}").format(time=texts[0])]
         if self._cycles.currentIndex() == _LOOP:
             texts = [self.tr("{time} a run").format(time=texts[0])]
         if percent != FULL_PERCENT and estimate.slowed_s is not None:

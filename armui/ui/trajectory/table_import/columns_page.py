@@ -299,7 +299,7 @@ class ColumnsPage(Page):
             )
         else:
             text = self.tr("Columns {columns} may be in {units}: choose which.")
-        return text.format(columns=", ".join(map(str, asked)), units=", ".join(units))
+        return text.format(columns=fmt.listed(map(str, asked)), units=fmt.listed(units))
 
     def _beyond(self, numbers: Sequence[int]) -> str:
         """Name the figure that lies farthest beyond its joint's range, if it is in degrees."""
@@ -329,7 +329,7 @@ class ColumnsPage(Page):
         if len({each.unit for each in angles}) < 2:
             return ""
         text = self.tr("The angles are in different units: {columns}. Check that this is meant.")
-        return text.format(columns=", ".join(f"{each.quantity} {each.unit}" for each in angles))
+        return text.format(columns=fmt.listed(f"{each.quantity} {each.unit}" for each in angles))
 
     def _show_usable(self) -> None:
         """Say at once what is wrong with what is chosen; an older message has had its time."""

@@ -74,9 +74,7 @@ class RingCard(HasActs, Translated, QFrame):
         store: Holds the setting that has them saved automatically.
     """
 
-    save_button = Act(
-        "Save what just happened", named="ring_save", key="sessions.ring", primary=True
-    )
+    save_button = Act("Save what just happened", named="ring_save", key="sessions.ring")
     at_faults_box = Act(
         "Save by itself at a fault or a stop",
         named="ring_save_at_faults",
