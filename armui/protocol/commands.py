@@ -60,7 +60,7 @@ def _exactly(
 
 
 def emergency_stop(codec: Codec) -> list[Frame]:
-    """Stops the arm: all motors go limp under damping, and it sinks slowly (0x150)."""
+    """Stops the arm: all motors only brake, and it sinks slowly (0x150)."""
     return [codec.encode("MotionCommand", EmergencyStop=StopCommand.EMERGENCY_STOP)]
 
 

@@ -334,11 +334,16 @@ class ArmView(QWidget):
         self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
-    def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
-        """Show the planes and boxes of a work area, and stand the base so in the room."""
+    def set_area(
+        self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6, *, typed: bool = False
+    ) -> None:
+        """Show the planes and boxes of a work area, and stand the base so in the room.
+
+        One that is being typed is brought into the picture.
+        """
         self._viewpoint.set_placement(pose_rows(base))
         if area != self._state.area:
-            self._viewpoint.set_boxes(tuple(corners(area)))
+            self._viewpoint.set_boxes(tuple(corners(area)), typed=typed)
         camera = self._viewpoint.camera
         if (area, camera) != (self._state.area, self._state.camera):
             self._show(replace(self._state, area=area, camera=camera))

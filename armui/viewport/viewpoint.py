@@ -118,10 +118,15 @@ class Viewpoint:
             self._places = places
             self._refit(exactly=False)
 
-    def set_boxes(self, corners: tuple[Vector, ...]) -> None:
-        """Set the corners of the boxes of the work area, which :meth:`fit` shows as well."""
+    def set_boxes(self, corners: tuple[Vector, ...], *, typed: bool = False) -> None:
+        """Set the corners of the boxes of the work area, which :meth:`fit` shows as well.
+
+        Args:
+            corners: The corners.
+            typed: True while a plane or box is being typed: they are shown from then on.
+        """
         if corners != self._boxes:
-            self._boxes = corners
+            self._boxes, self._with_boxes = corners, self._with_boxes or typed
             self._refit(exactly=True)
 
     def set_reach(self, reach: Reach | None) -> None:

@@ -5187,12 +5187,12 @@
 <context>
     <name>ForceTab</name>
     <message>
-        <source>“{name}” is added, and nothing else has changed. Choose it above to put it in force.</source>
-        <translation>已添加“{name}”，其他都没有改变。在上方选择它后才生效。</translation>
+        <source>“{name}” is added, and nothing else has changed. Choose it under “Type it” to put it in force.</source>
+        <translation>已添加“{name}”，其他都没有改变。在“手动输入”的列表中选择它后才生效。</translation>
     </message>
     <message>
-        <source>Press Add. It is in force once it is chosen above.</source>
-        <translation>请按“添加”。在上方选择后才生效。</translation>
+        <source>Press Add. It is in force once it is chosen in the list.</source>
+        <translation>请按“添加”。在列表中选择后才生效。</translation>
     </message>
 </context>
 <context>
@@ -5400,8 +5400,8 @@ Z 轴指向 {direction}</translation>
         <translation>正在进行的运动会终止或暂停；关节保持上电。</translation>
     </message>
     <message>
-        <source>An emergency stop: the motors go limp and the arm sinks. Hold the arm. The stop button above is faster, reaches every identifier and is repeated until the arm confirms.</source>
-        <translation>急停：电机失力，机械臂会下沉。请扶住机械臂。上方的急停按钮更快，会发往每个 ID，并重复发送直到机械臂确认。</translation>
+        <source>An emergency stop: the motors only brake and the arm sinks. Hold it. The stop button above is faster, reaches every identifier and is repeated until the arm confirms.</source>
+        <translation>急停：电机只起阻尼作用，机械臂会下沉。请扶住机械臂。上方的急停按钮更快，会发往每个 ID，并重复发送直到机械臂确认。</translation>
     </message>
     <message>
         <source>Motors lose their power and there are no brakes: the ARM DROPS. Hold the arm.</source>
@@ -8563,10 +8563,6 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
         <translation>在第 {row} 行暂停</translation>
     </message>
     <message>
-        <source>Emergency stop sent. The motors go limp and the arm sinks: hold the arm.</source>
-        <translation>急停已发送。电机失去力矩，机械臂会缓慢下沉，请扶住机械臂。</translation>
-    </message>
-    <message>
         <source>The arm has NOT confirmed the emergency stop; it is sent again and again. Cut the arm&apos;s power if it moves.</source>
         <translation>机械臂尚未确认急停，正在反复发送。若机械臂仍在运动，请切断其电源。</translation>
     </message>
@@ -9021,6 +9017,10 @@ It takes this over at once. Compare with how the arm really stands, and keep cle
     <message>
         <source>The arm moved at {speed} mm/s when it was last heard: it may be moving.</source>
         <translation>最后一次收到反馈时机械臂以 {speed} mm/s 运动：它可能仍在运动。</translation>
+    </message>
+    <message>
+        <source>Emergency stop sent. The motors only brake and the arm sinks: hold the arm.</source>
+        <translation>急停已发送。电机只起阻尼作用，机械臂会缓慢下沉，请扶住机械臂。</translation>
     </message>
     <message>
         <source>The outstanding emergency stop was withdrawn; the arm has not confirmed it.</source>
@@ -15954,8 +15954,8 @@ The other program must have ended.</source>
         <translation>结束当前动作，用手将各关节拖动到零位附近。</translation>
     </message>
     <message>
-        <source>Hold the arm, press “{action}”: the motors go limp, the arm sinks.</source>
-        <translation>请扶住机械臂，按“{action}”：电机失去保持力，机械臂会下沉。</translation>
+        <source>Hold the arm, press “{action}”: the motors only brake, the arm sinks.</source>
+        <translation>请扶住机械臂，按“{action}”：电机只起阻尼作用，机械臂会下沉。</translation>
     </message>
     <message>
         <source>Hold down “{action}”: the arm will drop, keep holding it.</source>

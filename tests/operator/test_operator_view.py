@@ -54,6 +54,16 @@ def item(driver, name):
     return next(each for each in palette_items(driver) if each.command.name == name)
 
 
+def test_what_is_dropped_on_the_library_is_not_imported(locked, tmp_path):
+    Library(tmp_path).save(Trajectory("two", points=(POINT, POINT)))
+    locked.click("library_button")
+    page = locked.page(LibraryPage)
+    page._exchange.import_files(list(tmp_path.glob("two*")))
+    locked.run(0.3)
+    assert page._message.text() == REASON
+    assert [each.name for each in Library(locked.library_folder).entries()] == ["one"]
+
+
 def hold(driver, button):
     QTest.mousePress(button, Qt.MouseButton.LeftButton)
     driver.wait(lambda: not operator_view())

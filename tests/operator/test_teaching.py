@@ -133,7 +133,7 @@ def test_the_panel_says_that_a_question_was_withdrawn(enabled):
     enabled.click("teaching_start_recording")
     accepted(enabled.controller.motors.disable())
     enabled.run(1.0)
-    assert "nothing was sent" in enabled.read("teaching_message")
+    assert "nothing was done" in enabled.read("teaching_message")
 
 
 def test_a_replay_is_paused_continued_and_terminated(taught):

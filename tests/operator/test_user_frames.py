@@ -178,7 +178,7 @@ def test_a_frame_is_typed_renamed_taken_from_the_tool_and_deleted(app_driver):
     cells = app_driver.controller.cell
     assert cells.cell.frames == (UserFrame("jig", (300.0, 0.0, 50.0, 0.0, 0.0, 90.0)),)
     said = app_driver.read("cell_frame_next")
-    assert "“jig” is added, and nothing else has changed. Choose it above" in said
+    assert "“jig” is added, and nothing else has changed. Choose it under" in said
     assert cells.cell.frame == ""
     choose(app_driver, "cell_frame", 1)
     assert cells.cell.frame == "jig"

@@ -40,7 +40,7 @@ class FakeView(QWidget):
         self.has_given_up = False
         self.joint_range: tuple[Any, ...] | None = None
 
-    def set_area(self, area: Any, base: Any = ()) -> None:
+    def set_area(self, area: Any, base: Any = (), *, typed: bool = False) -> None:
         self.area = area
         self.base = base
 

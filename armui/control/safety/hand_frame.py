@@ -85,7 +85,7 @@ class FrameEffect(enum.StrEnum):
     ENDS = "ends"
     """The motion under way ends or pauses."""
     SINKS = "sinks"
-    """An emergency stop: the joints go limp under damping."""
+    """An emergency stop: the joints only brake."""
     DROPS = "drops"
     """Motors lose their power and the arm drops: it has no brakes."""
     LIMP = "limp"

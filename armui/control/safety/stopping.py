@@ -31,7 +31,7 @@ HALT_LISTEN_ONLY = Reason(
 )
 STOP_SENT = Notice(
     "stop_sent",
-    "Emergency stop sent. The motors go limp and the arm sinks: hold the arm.",
+    "Emergency stop sent. The motors only brake and the arm sinks: hold the arm.",
     Level.WARNING,
     EventKind.COMMAND,
 )

@@ -153,7 +153,7 @@ class TeachingExitSteps(QFrame):
     def _words(self) -> tuple[str, ...]:
         return (
             self.tr("End what is under way; lead every joint near its zero by hand."),
-            self.tr("Hold the arm, press “{action}”: the motors go limp, the arm sinks.").format(
+            self.tr("Hold the arm, press “{action}”: the motors only brake, the arm sinks.").format(
                 action=words.step_action(Action.RESET)
             ),
             self.tr("Hold down “{action}”: the arm will drop, keep holding it.").format(

@@ -81,16 +81,19 @@ class CellInPicture(QObject):
         zone = self._zone()
         typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)
-        if typed is not None and (cell is None or typed not in cell.area.zones):
+        new = typed is not None and (cell is None or typed not in cell.area.zones)
+        if typed is not None and new:
             size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
         pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switches["area"].isChecked():
-            self._view.set_area(_as_confirmed(held, pale=pale), base)
+            self._view.set_area(_as_confirmed(held, pale=pale), base, typed=new)
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
-        self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale), base)
+        self._view.set_area(
+            _as_confirmed((*area_picture(area, near), *held), pale=pale), base, typed=new
+        )
 
 
 def _as_confirmed(shapes: AreaPicture, *, pale: bool) -> AreaPicture:

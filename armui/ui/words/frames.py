@@ -220,7 +220,7 @@ _EFFECTS: Final = Texts("FrameEffect") | {
     FrameEffect.HARMLESS: "A question or a lamp: nothing moves. A press sends it.",
     FrameEffect.ENDS: "The motion under way ends or pauses; the joints keep their power.",
     FrameEffect.SINKS: (
-        "An emergency stop: the motors go limp and the arm sinks. Hold the arm. The stop button "
+        "An emergency stop: the motors only brake and the arm sinks. Hold it. The stop button "
         "above is faster, reaches every identifier and is repeated until the arm confirms."
     ),
     FrameEffect.DROPS: (

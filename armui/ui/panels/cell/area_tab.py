@@ -177,11 +177,10 @@ class AreaTab(NamedTab):
         return f"{kind}: {thing.name}{off}"
 
     def _fill(self, thing: Any) -> None:
-        """Fill the fields; of what was shown the figures stay for a new one, or are proposed."""
-        if thing is None:
+        """Fill the fields; for a new one a place in front of the arm is proposed."""
+        if thing is None:  # where a plane was shown a box would stand around the base
             self._name.clear()
-            if not any(field.text() for field in self._fields):
-                self.take_pose(_IN_FRONT)
+            self.take_pose(_IN_FRONT)
         else:
             super()._fill(thing)
         sizes_mm = thing.size_mm if isinstance(thing, AreaBox) else AreaBox("").size_mm

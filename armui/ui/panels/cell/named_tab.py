@@ -50,7 +50,8 @@ _LABELS: Final = {
 }
 ADDED: Final = Text(
     "ForceTab",
-    "“{name}” is added, and nothing else has changed. Choose it above to put it in force.",
+    "“{name}” is added, and nothing else has changed. Choose it under “Type it” to put it "
+    "in force.",
 )
 """What is said of a tool or frame that was added, and is not in force."""
 
@@ -484,7 +485,7 @@ class ForceTab(NamedTab):
         if self._added and not new and not changed:
             return ADDED.text().format(name=self._added)
         if new and self._thing is None:
-            return self.tr("Press Add. It is in force once it is chosen above.")
+            return self.tr("Press Add. It is in force once it is chosen in the list.")
         return super()._guidance(new=new, changed=changed)
 
     def show_cell(self, why_not: str) -> None:

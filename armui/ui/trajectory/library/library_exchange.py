@@ -31,6 +31,7 @@ from armui.trajectory.points.program import OF_FLANGE, PosesOf
 from armui.ui import format as fmt
 from armui.ui import words
 from armui.ui.actions.act import Act, HasActs
+from armui.ui.actions.operator_view import why_taken
 from armui.ui.background import Job, Steps, in_order
 from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.dialogs.files import FileDialog, choose_file
@@ -338,7 +339,9 @@ class LibraryExchange(HasActs, QObject):
         Unknown tables are offered for import by columns; where there is nothing else to tell, that
         page opens at once.
         """
-        if paths:
+        if taken := why_taken("library.import"):
+            self.said.emit(taken, Level.WARNING)
+        elif paths:
             self._say_reading(paths)
             self._background.begin(
                 Job(self._on_imported),
