@@ -219,13 +219,15 @@ class StatusBar(Translated, QWidget):
         self._status_icon = QLabel()
         self._motion_label = text_label("status_motion", plain=True)
         self._motion_label.hide()
+        self._motion_separator = text_label(text="│", rank="muted")
+        self._motion_separator.hide()
         self._labels = {
             name: text_label(f"status_{name}", plain=True)
             for name in ("control", "arm", "mode", "teaching", "reached", "joints")
         }
         notice = (self._notice_icon, (self._notice_label, 1), 16)
-        moves = self._motion_label
-        self._layout = in_row(*notice, moves, on=self, spacing=8, margins=(14, 6, 14, 6))
+        moves = self._motion_label, self._motion_separator
+        self._layout = in_row(*notice, *moves, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
             tell_quantities(label, *_QUANTITIES[name])
@@ -321,6 +323,7 @@ class StatusBar(Translated, QWidget):
         if text != self._motion_label.text():
             self._motion_label.setText(text)
             self._motion_label.setVisible(bool(text))
+            self._motion_separator.setVisible(bool(text))
             set_rank(self._motion_label, "warning" if motion and motion.is_danger else "")
 
     def _spell_out(self, status: Status | None, stale: bool, mode: str, left: bool) -> None:
