@@ -134,7 +134,7 @@ class Preflight:
 
     @property
     def findings(self) -> tuple[Finding, ...]:
-        """The findings, errors first, then by row."""
+        """The findings, errors first, then warnings of a contact, each by row."""
         return self.outcome.findings
 
     @property

@@ -389,9 +389,10 @@ def _unknown(content: Trajectory, request: CheckRequest) -> Iterator[Finding]:
             yield replace(HELD_UNKNOWN(name=point.holds), row=row)
 
 
-def _rank(finding: Finding) -> tuple[bool, int]:
-    """Return the key that sorts errors first, and findings on the whole before those on rows."""
-    return finding.severity is not Severity.ERROR, -1 if finding.row is None else finding.row
+def _rank(finding: Finding) -> tuple[bool, bool, int]:
+    """Return the key that sorts errors first, then warnings of a contact; the whole before rows."""
+    warns, row = finding.severity is not Severity.ERROR, finding.row
+    return warns, warns and finding.contact is None, -1 if row is None else row
 
 
 def _findings(

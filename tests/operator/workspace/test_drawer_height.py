@@ -1,13 +1,14 @@
 """The drawer has its height in every panel, whichever was seen before."""
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractItemView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QListWidget, QWidget
 
 from armui.ui.shell.drawer import DRAWER_PX
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import PANELS
+from tests.gallery_scenes import trajectories
 from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled
@@ -30,15 +31,13 @@ def test_a_window_may_be_low_after_every_panel_was_seen(pages):
     assert pages.driver.find("status_bar").geometry().bottom() < 640
 
 
-def is_in_sight(pages, name):
+def is_in_sight(driver, name):
     """Whether a press in the middle of a widget reaches it."""
-    pages.driver.run(0.1)
-    widget = next(
-        each for each in pages.driver.window.findChildren(QWidget, name) if each.isVisible()
-    )
-    middle = widget.mapTo(pages.driver.window, widget.rect().center())
-    inside = pages.driver.window.rect().contains(middle)
-    return inside and pages.driver.window.childAt(middle) is widget
+    driver.run(0.1)
+    widget = next(each for each in driver.window.findChildren(QWidget, name) if each.isVisible())
+    middle = widget.mapTo(driver.window, widget.rect().center())
+    inside = driver.window.rect().contains(middle)
+    return inside and driver.window.childAt(middle) is widget
 
 
 @pytest.mark.parametrize("size", [(1280, 800), (1024, 720)])
@@ -47,16 +46,16 @@ def test_send_is_in_sight_whatever_is_open_above_and_below_it(pages, size):
     pages.driver.window.resize(*size)
     pages.driver.click("events_button")
     library = pages.open_library()
-    assert is_in_sight(pages, "run_send")
+    assert is_in_sight(pages.driver, "run_send")
     pages.driver.click(library.findChild(QWidget, "library_create"))
-    assert is_in_sight(pages, "run_send")
-    assert is_in_sight(pages, "library_name")
+    assert is_in_sight(pages.driver, "run_send")
+    assert is_in_sight(pages.driver, "library_name")
     QTest.keyClick(library.findChild(QWidget, "library_name"), Qt.Key.Key_Escape)
     editor = pages.open_editor()
-    assert is_in_sight(pages, "run_send")
+    assert is_in_sight(pages.driver, "run_send")
     editor._actions["jog"].trigger()
     editor._find_bar.open()
-    assert is_in_sight(pages, "run_send")
+    assert is_in_sight(pages.driver, "run_send")
 
 
 @pytest.mark.parametrize("row", [0, 1])
@@ -81,8 +80,36 @@ def test_the_question_of_a_check_is_in_sight_too(pages, where):
     if where == "library":
         page._table.selectRow(0)
     pages.driver.click(page.findChild(QWidget, "run_send"))
-    assert is_in_sight(pages, "accept_warnings")
-    assert is_in_sight(pages, "run_send")
+    assert is_in_sight(pages.driver, "accept_warnings")
+    assert is_in_sight(pages.driver, "run_send")
+
+
+@pytest.mark.parametrize("size", [(1024, 720), (1280, 800)])
+def test_each_finding_that_is_agreed_to_is_in_sight(app_driver, size):
+    """The smallest window, also if it had more room as the question came."""
+    app_driver.window.resize(*size)
+    app_driver.run(0.2)
+    library = trajectories.sunk(app_driver)
+    app_driver.window.resize(1024, 720)
+    found = library.findChild(QListWidget, "findings_list")
+    app_driver.wait(lambda: is_in_sight(app_driver, "accept_warnings"))
+    assert found.count() == 2
+    assert "below the floor" in found.item(0).text()
+    whole = QRect(found.viewport().rect())
+    assert found.viewport().visibleRegion().boundingRect() == whole
+    assert all(whole.contains(found.visualItemRect(found.item(row))) for row in range(2))
+    assert library.findChild(QWidget, "accept_warnings").property("primary")
+
+
+def test_the_accepting_button_leads_at_the_end_of_findings_that_need_scrolling(app_driver):
+    trajectories.sunk(app_driver)
+    found, accept = app_driver.find("findings_list"), app_driver.find("accept_warnings")
+    found.setFixedHeight(60)
+    app_driver.wait(lambda: found.verticalScrollBar().maximum() > 0)
+    assert not accept.property("primary")
+    assert accept.isEnabled()
+    found.scrollToBottom()
+    assert accept.property("primary")
 
 
 @pytest.mark.each_value(full="each page in both languages")

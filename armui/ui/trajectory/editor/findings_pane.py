@@ -51,12 +51,14 @@ class FindingsPane(HasActs, Translated, QWidget):
             now; also after the pane was closed.
         dismissed: It was closed without an answer.
         asks: Whether it asks for an answer.
+        resized: It has another size: its page scrolls to it again.
     """
 
     finding_wanted = Signal(object)
     found_changed = Signal(object)
     dismissed = Signal()
     asks = Signal(bool)
+    resized = Signal()
     accept_button = Act("Run now", named="accept_warnings", primary=True)
     _close_button = Act("Close", named="findings_close")
 
@@ -75,6 +77,9 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.currentItemChanged.connect(self._on_current)
         self._list.itemClicked.connect(self._on_current)
+        bar = self._list.verticalScrollBar()
+        for changed in (bar.valueChanged, bar.rangeChanged):
+            changed.connect(self.show_acts)
         head = in_row((self._title, 1), self.accept_button, self._close_button)
         in_column(head, self._list, on=self, spacing=6, margins=0)
         self.clear()
@@ -185,6 +190,12 @@ class FindingsPane(HasActs, Translated, QWidget):
     def _why_no_run(self) -> Refusal | None:
         return why_not_run(self._controller.operating_state)
 
+    @accept_button.lit
+    def _is_read(self) -> bool:
+        """Return whether all that is agreed to is listed above the end that is in sight."""
+        bar = self._list.verticalScrollBar()
+        return bar.value() == bar.maximum()
+
     def _why_less(self, waits: Refusal) -> str:
         """Return what of the cell the check counted, while it waits for its confirmation."""
         text = self.tr(
@@ -213,6 +224,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             QTimer.singleShot(0, self, self._fit)
+        self.resized.emit()
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR
