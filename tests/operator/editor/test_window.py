@@ -228,11 +228,12 @@ def test_escape_closes_what_is_open_before_it_leaves(editor):
     assert left == [True]
 
 
+@pytest.mark.parametrize("size", [(1024, 720), (1280, 800)])
 @pytest.mark.parametrize("language", ["en", "zh"])
-def test_the_bar_of_the_preview_is_whole_beside_the_jog_box(app_driver, language):
+def test_the_bar_of_the_preview_is_whole_beside_the_jog_box(app_driver, language, size):
     app_driver.ready()
     app_driver.store.change(language=language)
-    app_driver.window.resize(1280, 800)
+    app_driver.window.resize(*size)
     editor = Editor(app_driver, to(OUT), to(BACK))
     editor.click("editor_jog")
     editor.click("editor_check")

@@ -45,7 +45,7 @@ class PreviewBar(HasActs, Translated, QFrame):
         self._slider.setPageStep(100)
         self._time = named("preview_time", ValueLabel(""))
         parts = (self._play, (self._slider, 1), self._time, self._close)
-        in_row(*parts, on=self, spacing=10, margins=(12, 8, 12, 8))
+        in_row(*parts, on=self, spacing=6, margins=8)
         self._clock = QElapsedTimer()
         self._timer = QTimer(self, interval=_FRAME_MS)
         self._timer.timeout.connect(self._on_frame)
