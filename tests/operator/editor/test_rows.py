@@ -37,6 +37,16 @@ def test_rows_are_inserted_duplicated_moved_and_deleted(editor):
     assert editor.child("editor_undo").toolTip() == "There is nothing to undo."
 
 
+def test_what_needs_a_row_says_why_it_is_off_in_an_empty_table(app_driver):
+    editor = Editor(app_driver)
+    for name in ("duplicate", "delete", "move_up", "move_down"):
+        button = editor.child(f"editor_{name}")
+        assert not button.isEnabled(), name
+        assert "has no points" in button.toolTip(), name
+    editor.click("editor_insert_after")
+    assert editor.child("editor_delete").isEnabled()
+
+
 def test_the_right_button_on_a_rows_number_acts_on_that_row(editor):
     editor.choose(0)
     numbers = editor.table.verticalHeader()

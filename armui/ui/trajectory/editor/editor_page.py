@@ -114,7 +114,10 @@ class EditorJog(Translated, QWidget):
         self._insert.setToolTip(f"{tip} ({self._keys})")
 
 
-_OF_POINTS: Final = ("go_to", "find", "check", "preview")
+_OF_POINTS: Final = (
+    *("go_to", "find", "check", "preview", "replace_by_measured", "duplicate", "delete", "cut"),
+    *("copy", "move_up", "move_down", "convert", "frame"),
+)
 """Actions that are possible with points only."""
 _NOTE_PX: Final = 200
 """Below this width the note's field moves to a line of its own."""
