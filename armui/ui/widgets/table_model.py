@@ -52,7 +52,7 @@ class TableHint(Translated, QWidget):
 
     def __init__(self, table: QAbstractItemView, name: str, *buttons: QPushButton) -> None:
         super().__init__(table.viewport())
-        self._viewport = table.viewport()
+        self._table, self._viewport = table, table.viewport()
         self._title = text_label(f"{name}_title", rank="title", wraps=True, plain=True)
         self._text = text_label(name, rank="muted", wraps=True, plain=True)
         for label in (self._title, self._text):
@@ -88,6 +88,12 @@ class TableHint(Translated, QWidget):
         ):
             room -= needed + _GAP_PX
             widget.setVisible(room >= 0)
+
+    def setVisible(self, visible: bool) -> None:  # noqa: N802 - Qt's name
+        """Show or hide it; where there are no rows nothing scrolls sideways."""
+        super().setVisible(visible)
+        never, needed = Qt.ScrollBarPolicy.ScrollBarAlwaysOff, Qt.ScrollBarPolicy.ScrollBarAsNeeded
+        self._table.setHorizontalScrollBarPolicy(never if visible else needed)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Follow the size of the rows' area."""

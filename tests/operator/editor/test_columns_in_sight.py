@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QApplication, QLabel
 from armui.protocol.codes import MoveMode
 from armui.trajectory.library.store import Library
 from armui.trajectory.points.cells import PointColumn
-from armui.trajectory.points.program import LightAction, Trajectory, Waypoint
+from armui.trajectory.points.program import GripperOpening, LightAction, Trajectory, Waypoint
+from armui.ui.theme import colors_of
 from armui.ui.trajectory.library.library_model import LibraryColumn
 from armui.ui.trajectory.library.library_page import LibraryPage
 from armui.ui.trajectory.table_import.columns_table import ColumnsTable
@@ -38,6 +39,58 @@ def test_middle_poses_give_way_to_the_figures_of_a_point(app_driver, language):
     app_driver.run(0.2)
     assert table.horizontalScrollBar().maximum() == 0
     assert table.columnWidth(PointColumn.MIDDLE) > narrow_px
+
+
+@pytest.mark.styled
+@pytest.mark.parametrize("size", [(1280, 800), (1440, 900)])
+def test_no_gripper_is_cut_at_the_edge_of_the_table(app_driver, size):
+    app_driver.ready()
+    grips = replace(BEGIN, gripper=GripperOpening(35.0))
+    table = Editor(app_driver, grips, ARC).table
+    app_driver.window.resize(*size)
+    app_driver.run(0.2)
+    gripper = table.visualRect(table.model().index(0, PointColumn.GRIPPER))
+    assert table.viewport().rect().contains(gripper)
+
+
+@pytest.mark.styled
+def test_at_1440_a_usual_arc_is_whole_and_its_note_is_told(app_driver):
+    app_driver.ready()
+    middle = (320.0, 50.0, 250.0, 0.0, 85.0, 0.0)
+    arc = replace(ARC, target=(300.0, 100.0, 250.0, 0.0, 85.0, 0.0), middle=middle)
+    grips = replace(arc, gripper=GripperOpening(35.0), light=LightAction(1, 0, 255, 0))
+    table = Editor(app_driver, replace(grips, note="round the box")).table
+    app_driver.window.resize(1440, 900)
+    app_driver.run(0.2)
+    for column in (PointColumn.MIDDLE, PointColumn.GRIPPER, PointColumn.LIGHT):
+        assert table.columnWidth(column) >= table.sizeHintForColumn(column), column
+    assert table.columnWidth(PointColumn.NOTE) >= 60
+    assert table.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.styled
+def test_a_table_ends_in_its_own_color_below_the_row_numbers(app_driver):
+    numbers = Editor(app_driver, BEGIN).table.verticalHeader()
+    app_driver.store.change(theme="dark")
+    app_driver.run(0.1)
+    picture = numbers.grab().toImage()
+    below = picture.pixelColor(picture.width() // 2, picture.height() - 5)
+    assert below.name() == colors_of(numbers).surface.lower()
+
+
+@pytest.mark.styled
+def test_an_empty_table_does_not_scroll_sideways(app_driver):
+    app_driver.window.resize(1024, 720)
+    app_driver.click("library_button")
+    library = app_driver.page(LibraryPage)._table
+    editor = Editor(app_driver, name="empty").table
+    app_driver.run(0.2)
+    assert not editor.horizontalScrollBar().isVisible()
+    Library(app_driver.library_folder).delete(["empty"])
+    app_driver.click("library_button")
+    app_driver.run(0.2)
+    assert library.model().rowCount() == 0
+    assert not library.horizontalScrollBar().isVisible()
 
 
 @pytest.mark.styled
@@ -73,8 +126,14 @@ def test_the_list_of_the_library_does_not_scroll_sideways(app_driver):
     table = app_driver.page(LibraryPage)._table
     assert table.horizontalScrollBar().maximum() == 0
     assert table.columnWidth(LibraryColumn.NOTE) >= 110
+    kept = Library(app_driver.library_folder)
+    kept.save(Trajectory("Pick and place · Packing line", points=(BEGIN,), note="from the tray"))
+    app_driver.page(LibraryPage).refresh()
+    app_driver.run(0.2)
+    assert table.columnWidth(LibraryColumn.NAME) >= table.sizeHintForColumn(LibraryColumn.NAME)
+    assert table.horizontalScrollBar().maximum() == 0
     name = "a long name of a trajectory that is whole where there is room"
-    Library(app_driver.library_folder).save(Trajectory(name, points=(BEGIN,)))
+    kept.save(Trajectory(name, points=(BEGIN,)))
     app_driver.page(LibraryPage).refresh()
     app_driver.window.resize(1920, 1000)
     app_driver.run(0.2)

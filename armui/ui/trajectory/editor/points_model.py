@@ -69,12 +69,12 @@ class ColumnLook:
 
 _AXES: Final = ("J1 °\nX mm", "J2 °\nY mm", "J3 °\nZ mm", "J4 °\nRX °", "J5 °\nRY °", "J6 °\nRZ °")
 LOOKS: Final[Mapping[PointColumn, ColumnLook]] = {
-    PointColumn.MOVE: ColumnLook(Text("PointsModel", "Motion\n({point})"), 62, 170),
+    PointColumn.MOVE: ColumnLook(Text("PointsModel", "Motion\n({point})"), 60, 170),
     **{
-        PointColumn(place): ColumnLook(Text("", axis), 56, 84, figures=True)
+        PointColumn(place): ColumnLook(Text("", axis), 50, 84, figures=True)
         for place, axis in zip(VALUES, _AXES, strict=True)
     },
-    PointColumn.MIDDLE: ColumnLook(Text("PointsModel", "Middle\npose"), 90, 170),
+    PointColumn.MIDDLE: ColumnLook(Text("PointsModel", "Middle\npose"), 80, 170),
     PointColumn.SPEED: ColumnLook(Text("PointsModel", "Speed"), 50, 64, figures=True),
     PointColumn.DWELL: ColumnLook(Text("PointsModel", "Dwell"), 46, 84, figures=True),
     PointColumn.GRIPPER: ColumnLook(Text("PointsModel", "Gripper"), 58, 220),

@@ -31,9 +31,11 @@ _ARC_ROW_PX: Final = 44
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 _NOTE_PX: Final = 360
+_NOTED_PX: Final = 46
+"""What the notes get beyond their least where there is room for a wider table."""
 _BAR_PX: Final = 3
-_ELIDED_PX: Final = 51
-"""The least width of a middle pose where there is no room for all columns; a tooltip has it."""
+_SHORTENED_PX: Final = {PointColumn.MIDDLE: 51, PointColumn.GRIPPER: 58}
+"""The least widths of what is shortened where there is no room; a tooltip has the whole."""
 
 
 class PointsTable(QTableView):
@@ -56,7 +58,7 @@ class PointsTable(QTableView):
         self._delegate = delegate = PointDelegate(self)
         self.setItemDelegate(delegate)
         self._untaken: tuple[QModelIndex, Refusal] | None = None
-        self._middle_px = 0
+        self._whole_px = {PointColumn.GRIPPER: LOOKS[PointColumn.GRIPPER].width_px}
         self._note = QLabel(self.viewport())
         self._note.setObjectName("cell_problem")
         self._note.setWordWrap(True)
@@ -91,7 +93,6 @@ class PointsTable(QTableView):
         down.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         down.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         down.customContextMenuRequested.connect(self._on_number_menu)
-        down.setMinimumWidth(self.fontMetrics().horizontalAdvance("▶ 00000"))
         across = self.horizontalHeader()
         across.setHighlightSections(False)
         # which columns are chosen is never shown: to find out, each cell would be asked
@@ -108,24 +109,27 @@ class PointsTable(QTableView):
 
     @property
     def wanted_px(self) -> int:
-        """The width at which every column is in sight, also beside a scroll bar."""
+        """The width at which every column is in sight, also beside a scroll bar, and notes wide."""
         bar_px = self.verticalScrollBar().sizeHint().width()
-        return self._columns_px + self.verticalHeader().width() + bar_px + 2 * self.frameWidth()
+        beside_px = self.verticalHeader().width() + bar_px + 2 * self.frameWidth()
+        return self._columns_px + _NOTED_PX + beside_px
 
     @property
     def _columns_px(self) -> int:
-        """The width of all columns, with the middle poses whole."""
-        others = set(PointColumn) - {PointColumn.MIDDLE, PointColumn.NOTE}
-        return sum(
-            map(self.columnWidth, others), self._middle_px + LOOKS[PointColumn.NOTE].width_px
-        )
+        """The width of all columns, with nothing shortened but the notes."""
+        others = set(PointColumn) - {*self._whole_px, PointColumn.NOTE}
+        whole_px = sum(self._whole_px.values()) + LOOKS[PointColumn.NOTE].width_px
+        return sum(map(self.columnWidth, others), whole_px)
 
-    def _fit_middle(self) -> None:
-        """Shorten the middle poses where other columns would be scrolled out of sight."""
-        over_px = max(0, self._columns_px - self.viewport().width())
-        if self._middle_px:
-            width_px = max(_ELIDED_PX, self._middle_px - over_px)
-            self.setColumnWidth(PointColumn.MIDDLE, width_px)
+    def _shorten(self) -> None:
+        """Shorten what may be, so that all is in sight, or else what is before the lamps is."""
+        over_px = self._columns_px - self.viewport().width()
+        if over_px > sum(px - _SHORTENED_PX[each] for each, px in self._whole_px.items()):
+            over_px -= self.columnWidth(PointColumn.LIGHT) + LOOKS[PointColumn.NOTE].width_px
+        for column, whole_px in sorted(self._whole_px.items()):
+            width_px = max(_SHORTENED_PX[column], whole_px - max(0, over_px))
+            over_px -= whole_px - width_px
+            self.setColumnWidth(column, width_px)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the columns to the new width, and to the rows that are in sight by it."""
@@ -144,7 +148,9 @@ class PointsTable(QTableView):
 
     def show_middle(self, *, wanted: bool) -> None:
         """Show or hide the column of the arcs' middle poses."""
-        self._middle_px = LOOKS[PointColumn.MIDDLE].width_px if wanted else 0
+        self._whole_px.pop(PointColumn.MIDDLE, None)
+        if wanted:
+            self._whole_px[PointColumn.MIDDLE] = LOOKS[PointColumn.MIDDLE].width_px
         self.setColumnHidden(PointColumn.MIDDLE, not wanted)
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
@@ -154,11 +160,13 @@ class PointsTable(QTableView):
             if not look.most_px:
                 continue
             wanted_px = min(self.sizeHintForColumn(column), look.most_px)
-            if column is PointColumn.MIDDLE:
-                self._middle_px = self._middle_px and max(self._middle_px, wanted_px)
+            if column in self._whole_px:
+                self._whole_px[column] = max(self._whole_px[column], wanted_px)
             elif wanted_px > self.columnWidth(column):
                 self.setColumnWidth(column, wanted_px)
-        self._fit_middle()
+        widest = f"▶ 00{max(10, self.points.rowCount())}"  # with what the style leaves beside it
+        self.verticalHeader().setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
+        self._shorten()
 
     def drop_figures(self) -> bool:
         """Close a pose that is being typed, untaken; return whether there was one."""

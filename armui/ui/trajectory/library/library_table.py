@@ -15,7 +15,7 @@ from armui.ui.widgets.buttons import push_button
 from armui.ui.widgets.table_model import TableHint, list_rows, rows_hint, set_widths
 
 _ROW_PX: Final = 34
-_NAME_PX: Final = 142
+_NAME_PX: Final = 190
 """Up to this width a name is shown whole before a note is."""
 _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
