@@ -148,11 +148,7 @@ class EditorHint(TableHint):
 
     def __init__(self, table: QTableView, actions: EditorActions) -> None:
         self._actions = actions
-        self._buttons = (
-            push_button("hint_insert_measured", on_enter=False),
-            push_button("hint_insert_after", on_enter=False),
-        )
-        self._table = table
+        self._buttons = [push_button(f"hint_{name}", on_enter=False) for name in _HINT_NAMES]
         super().__init__(table, "editor_hint", *self._buttons)
         for button, name in zip(self._buttons, _HINT_NAMES, strict=True):
             button.clicked.connect(lambda _checked=False, name=name: actions[name].trigger())

@@ -59,7 +59,6 @@ if TYPE_CHECKING:
     from armui.cell.cell import Cell
     from armui.control.arm_controller import ArmController
     from armui.trajectory.library.run_options import RunOptions
-    from armui.ui.panels.jogging.jog_box import JogBox
     from armui.ui.trajectory.library.library_work import LibraryWork
 
 

@@ -151,11 +151,8 @@ class Finder(QObject):
 
     def _find(self, by: int) -> None:
         rows = self._bar.search.rows(self._document.points, self._table.points.tool)
-        if isinstance(rows, Refusal):
-            self._bar.show_result(rows)
-            return
-        if not rows:
-            self._bar.show_result(self.tr("Not found"))
+        if isinstance(rows, Refusal) or not rows:
+            self._bar.show_result(rows if isinstance(rows, Refusal) else self.tr("Not found"))
             return
         here = self._table.current_row()
         ahead = [row for row in rows if row > here] if by > 0 else [r for r in rows if r < here]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -63,7 +62,7 @@ class LibraryBar(HasActs, QWidget):
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
             action.setData(suffix)
-            action.triggered.connect(partial(self._on_export, suffix))
+            action.triggered.connect(lambda _on=False, to=suffix: self.export_wanted.emit(to))
         give_menu(self._export, self._export_menu)
         layout.addWidget(self.search)
         self._flow = layout
@@ -122,9 +121,6 @@ class LibraryBar(HasActs, QWidget):
     @_buttons.pressed
     def _on_pressed(self, name: str) -> None:
         self.wanted.emit(name)
-
-    def _on_export(self, suffix: str, _checked: bool = False) -> None:
-        self.export_wanted.emit(suffix)
 
     def _to_list(self) -> None:
         """From the search to what it has found."""

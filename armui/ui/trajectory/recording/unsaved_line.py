@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from armui.trajectory.library.recording_drafts import UnsavedRecording
     from armui.trajectory.library.store import Deleted
     from armui.ui.trajectory.library.library_work import LibraryWork
-
-_SPACING_PX: Final = 8
 
 
 class UnsavedRecordingLine(HasActs, Translated, QWidget):
@@ -50,9 +48,7 @@ class UnsavedRecordingLine(HasActs, Translated, QWidget):
         self._work = work
         self._found: Sequence[UnsavedRecording] = ()
         self._message = named("unsaved_recording", MessageLine(keeps_room=False))
-        in_row(
-            (self._message, 1), self._keep, self._discard, on=self, spacing=_SPACING_PX, margins=0
-        )
+        in_row((self._message, 1), self._keep, self._discard, on=self, spacing=8, margins=0)
         self.retranslate_ui()
 
     def look(self) -> None:

@@ -49,6 +49,10 @@ class ColumnPicker(Translated, QWidget):
         title: The title in the file; "" if there is none.
         guess: The initial guess.
 
+    Attributes:
+        guess: As given.
+        guessed: True if quantity or unit comes neither from the title nor from the operator.
+
     Signals:
         quantity_chosen: The operator chose another quantity.
         unit_chosen: The operator chose another unit.
@@ -61,8 +65,7 @@ class ColumnPicker(Translated, QWidget):
         super().__init__()
         self._number = number
         self._title_text = title
-        self._guess = guess
-        self._guessed = guess.column is not None and guess.confidence < _SURE
+        self.guess = guess
         self._title = ElidedLabel()
         self._quantity = _Choice(f"column_quantity_{number}")
         for quantity in (None, *ColumnQuantity):
@@ -73,11 +76,8 @@ class ColumnPicker(Translated, QWidget):
             label.setFixedHeight(_LINE_PX)
         parts = (self._title, self._quantity, self._unit, self._origin)
         in_column(*parts, on=self, spacing=4, margins=(_MARGIN_PX, 0, _MARGIN_PX, 0))
-        if guess.column is not None:
-            self._quantity.setCurrentIndex(1 + list(ColumnQuantity).index(guess.column.quantity))
-        self._fill_units()
-        if guess.column is not None:
-            self.show_unit(guess.column.unit)
+        unsure = guess.column is not None and guess.confidence < _SURE
+        self.show_column(guess.column, guessed=unsure)
         self._quantity.activated.connect(self._on_quantity)
         self._unit.activated.connect(self._on_unit)
         self.retranslate_ui()
@@ -91,23 +91,13 @@ class ColumnPicker(Translated, QWidget):
         return TableColumn(ColumnQuantity(quantity), self._unit.currentText())
 
     @property
-    def guessed(self) -> bool:
-        """True if quantity or unit comes neither from the title nor from the operator."""
-        return self._guessed
-
-    @property
-    def guess(self) -> Guess:
-        """What was guessed of it."""
-        return self._guess
-
-    @property
     def is_titled(self) -> bool:
         """True if its title names its unit."""
         column = self.column
-        return column is not None and column.unit == self._guess.titled_unit
+        return column is not None and column.unit == self.guess.titled_unit
 
     def show_column(self, column: TableColumn | None, *, guessed: bool) -> None:
-        """Show an earlier choice of the operator.
+        """Show the guess, or an earlier choice of the operator.
 
         Args:
             column: The quantity and unit.
@@ -118,18 +108,16 @@ class ColumnPicker(Translated, QWidget):
         self._fill_units()
         if column is not None:
             self.show_unit(column.unit)
-        self._guessed = guessed
+        self.guessed = guessed
         self._show_origin()
 
     def show_unit(self, unit: str) -> None:
         """Show another unit, if its quantity can have it."""
-        place = self._unit.findText(unit)
-        if place >= 0:
-            self._unit.setCurrentIndex(place)
+        self._unit.setCurrentText(unit)
 
     def show_certain(self) -> None:
         """Mark the choice as the operator's own."""
-        self._guessed = False
+        self.guessed = False
         self._show_origin()
 
     def _fill_units(self) -> None:
@@ -145,10 +133,10 @@ class ColumnPicker(Translated, QWidget):
         """The unit that the title names wins; another is guessed, and marked."""
         self._fill_units()
         quantity = self._quantity.currentData()
-        self._guessed = False
+        self.guessed = False
         if quantity is not None:
-            self.show_unit(likely_unit(ColumnQuantity(quantity), self._guess))
-            self._guessed = self._unit.isEnabled() and not self.is_titled
+            self.show_unit(likely_unit(ColumnQuantity(quantity), self.guess))
+            self.guessed = self._unit.isEnabled() and not self.is_titled
         self._show_origin()
         self.quantity_chosen.emit()
 
@@ -163,7 +151,7 @@ class ColumnPicker(Translated, QWidget):
         self.unit_chosen.emit()
 
     def _show_origin(self) -> None:
-        self._origin.show_text(self.tr("Guess: check it") if self._guessed else "")
+        self._origin.show_text(self.tr("Guess: check it") if self.guessed else "")
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -213,6 +201,9 @@ class ColumnsTable(QScrollArea):
         sheet: The table's layout, with its first rows and the guesses.
         said: The :attr:`said` of a table that was shown before.
 
+    Attributes:
+        said: The operator's own choices by index, each with whether its unit was guessed.
+
     Signals:
         changed: The operator chose another quantity or unit.
     """
@@ -224,13 +215,13 @@ class ColumnsTable(QScrollArea):
         self._width = sheet.width
         self._places = _shown(sheet)
         self._pickers: list[ColumnPicker] = []
-        self._said = dict(said or {})
+        self.said = dict(said or {})
         titles = sheet.header or ("",) * sheet.width
         for place in self._places:
             picker = ColumnPicker(place + 1, titles[place], sheet.guesses[place])
             picker.setFixedWidth(_COLUMN_PX)
-            if place in self._said:
-                column, guessed = self._said[place]
+            if place in self.said:
+                column, guessed = self.said[place]
                 picker.show_column(column, guessed=guessed)
             picker.quantity_chosen.connect(lambda picker=picker: self._on_quantity(picker))
             picker.unit_chosen.connect(lambda picker=picker: self._note([picker]))
@@ -253,11 +244,6 @@ class ColumnsTable(QScrollArea):
         for place, picker in zip(self._places, self._pickers, strict=True):
             columns[place] = picker.column
         return tuple(columns)
-
-    @property
-    def said(self) -> Said:
-        """The operator's own choices by index, each with whether its unit was guessed."""
-        return self._said
 
     @property
     def hidden_count(self) -> int:
@@ -313,7 +299,7 @@ class ColumnsTable(QScrollArea):
         """These say what the operator wants."""
         for picker in pickers:
             place = self._places[self._pickers.index(picker)]
-            self._said[place] = (picker.column, picker.guessed)
+            self.said[place] = (picker.column, picker.guessed)
         self._model.redraw()
         self.changed.emit()
 
