@@ -65,9 +65,10 @@ def spoken(values: Sequence[float]) -> list[str]:
 
 
 def pose(figures: Sequence[float], decimals: int) -> str:
-    """Return the six figures of a pose with their names and units."""
+    """Return the six figures of a pose with their names and units; no line ends within one."""
     x, y, z, rx, ry, rz = (number(each, decimals) for each in figures)
-    return f"X {x}  Y {y}  Z {z} mm  RX {rx}°  RY {ry}°  RZ {rz}°"
+    pairs = (f"X {x}", f"Y {y}", f"Z {z} mm", f"RX {rx}°", f"RY {ry}°", f"RZ {rz}°")
+    return "  ".join(pair.replace(" ", "\N{NO-BREAK SPACE}") for pair in pairs)
 
 
 def percent(value: float | None) -> str:

@@ -82,3 +82,9 @@ def test_joints_in_a_row_are_one_span():
 def test_figures_of_a_sentence_have_the_decimals_that_tell_them_apart(values, texts):
     """What exceeds a limit by little must not read as the limit."""
     assert fmt.spoken(values) == texts
+
+
+def test_no_line_ends_between_the_name_of_a_figure_of_a_pose_and_the_figure():
+    pairs = fmt.pose((1.0, 2.0, 3.0, 4.0, 5.0, 6.0), 1).split("  ")
+    assert [each.split() for each in pairs][2:4] == [["Z", "3.0", "mm"], ["RX", "4.0°"]]
+    assert not any(" " in each for each in pairs)
