@@ -14,7 +14,9 @@ from armui.protocol.generation import Generation
 from tests.accepted import accepted
 from tests.cell.areas import put
 from tests.faulty_arm import HardOfHearing
+from tests.operator.workspace.actions import rect_in_window
 
+BESIDE = ("hold", "held_kind", "held_touch")
 CUBE = HeldObject("cube", (0.0, 0.0, 150.0, 0.0, 0.0, 0.0), (60.0, 40.0, 40.0), mass_kg=0.6)
 
 
@@ -33,6 +35,12 @@ def add_cube(driver):
     driver.type_into("cell_held_size_X", "60")
     driver.type_into("cell_held_mass", "0.6")
     driver.click("cell_held_add")
+
+
+@pytest.mark.styled
+def test_what_stands_beside_its_fields_stands_in_a_column(panel):
+    beside = (rect_in_window(panel.find(f"cell_{each}")) for each in BESIDE)
+    assert len({(each.left(), each.right()) for each in beside}) == 1
 
 
 def test_it_is_added_held_and_let_go_of_by_presses(panel):

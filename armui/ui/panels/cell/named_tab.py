@@ -187,7 +187,13 @@ class NamedTab(CellTab):
             label.setBuddy(field)
             field.setMinimumWidth(NARROW_PX)
             grid.addWidget(label, row, 0)
-            grid.addLayout(in_row((field, 1), *more, spacing=6), row, 1)
+            grid.addWidget(field, row, 1, 1, 2 - len(more))
+            for each in more:
+                grid.addWidget(each, row, 2)
+        if self._sizes:
+            sizes = in_row(*((each, 1) for each in self._sizes), spacing=6)
+            grid.addWidget(self._size_label, row + 1, 0)
+            grid.addLayout(sizes, row + 1, 1, 1, 2)
         grid.setColumnStretch(1, 1)
         for widget in (*self.changes.values(), *self._sizes):
             widget.setMinimumWidth(NARROW_PX)
@@ -195,11 +201,7 @@ class NamedTab(CellTab):
         adds = [self.changes[each] for each in self.adds]
         rows_of_buttons = [adds, [apply, *delete]] if len(adds) > 1 else [[apply, *adds, *delete]]
         ends = [in_row(*((each, 1) for each in row), spacing=6) for row in rows_of_buttons]
-        sizes: list[Item] = []
-        if self._sizes:
-            fields = ((each, 1) for each in self._sizes)
-            sizes = [in_row(self._size_label, *fields, spacing=6)]
-        parts = (self._next, grid, pose_grid(self._fields), *sizes, *below, *ends, *last, STRETCH)
+        parts = (self._next, grid, pose_grid(self._fields), *below, *ends, *last, STRETCH)
         if self._search is None:
             in_column(*parts, on=self, spacing=8, margins=0)
             return
