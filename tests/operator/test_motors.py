@@ -6,12 +6,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from armui.arm.state import ArmState
+from armui.protocol.codes import ALL_JOINTS
 from armui.protocol.frame import Frame
 from armui.protocol.generation import Generation
 from armui.ui import words
 from armui.ui.dialogs.confirm_dialog import ConfirmDialog
 from tests.faulty_arm import FaultyDrivers, HardOfHearing
 from tests.generations import ONE_IS_ENOUGH
+from tests.operator.workspace.actions import rect_in_window
 
 JOINTS = range(1, 7)
 
@@ -34,6 +36,13 @@ def sent(app_driver, arbitration_id):
 
 def powers(app_driver):
     return [app_driver.read(f"motor_power_{joint}") for joint in JOINTS]
+
+
+@pytest.mark.styled
+def test_the_buttons_for_all_joints_stand_in_the_columns_of_the_joints(motors):
+    for act in ("enable", "disable", "zero", "clear"):
+        alone, every = (rect_in_window(motors.find(f"{act}_motor_{n}")) for n in (1, ALL_JOINTS))
+        assert (alone.left(), alone.width()) == (every.left(), every.width())
 
 
 def message(app_driver):

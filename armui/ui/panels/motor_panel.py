@@ -31,6 +31,9 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row, scrolled
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Texts
 
+_INSET_PX: Final = (12, 0, 12, 0)
+"""Around the buttons for all joints, so that they stand in the columns of the card."""
+
 
 class MotorAct(enum.Enum):
     """The commands to a motor (manual section 1.0.7.7)."""
@@ -109,7 +112,9 @@ class MotorPanel(Panel):
             heads.addWidget(head)
         fill(rows, heads, *self._rows, STRETCH)
 
-        every = in_column(self._all_label, self._buttons_of(ALL_JOINTS), spacing=4)
+        every = in_column(
+            self._all_label, self._buttons_of(ALL_JOINTS), spacing=4, margins=_INSET_PX
+        )
         self._stack(scrolled(card), every, gap_px=10)
 
     def _buttons_of(self, joint: int) -> QLayout:
