@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QAbstractButton
+from PySide6.QtWidgets import QAbstractButton, QWidget
 
 from armui.protocol.codes import ControlMode, MoveMode
 from armui.protocol.frame import Frame
@@ -17,6 +17,7 @@ from tests.accepted import accepted
 from tests.company import OtherHost
 from tests.faulty_arm import HardOfHearing
 from tests.named_version import name_version
+from tests.operator.workspace.actions import rect_in_window
 
 TODAY = "S-V1.8-9"
 
@@ -58,6 +59,16 @@ def button(app_driver, name) -> QAbstractButton:
     found = app_driver.window_of_it.findChild(QAbstractButton, name)
     assert found is not None, name
     return found
+
+
+def test_what_a_level_was_stands_beside_the_row_and_not_below_its_last_level(assistance):
+    assistance.click(button(assistance, "drag_assistance_edit_button"))
+    assistance.click(button(assistance, "drag_assistance_2_level_8"))
+    note = assistance.window_of_it.findChild(QWidget, "drag_assistance_2_note")
+    last = rect_in_window(button(assistance, "drag_assistance_2_level_10"))
+    assert note.text() == "was 5"
+    assert rect_in_window(note).left() > last.right()
+    assert rect_in_window(note).center().y() == pytest.approx(last.center().y(), abs=2)
 
 
 def test_it_is_read_changed_and_read_back(assistance):

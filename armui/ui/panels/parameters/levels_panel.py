@@ -5,25 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
 from armui.arm.parameters import Batch, Group, Parameter, heard
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
-from armui.ui.dialogs.base import ArmDialog
+from armui.ui.dialogs.base import ArmDialog, CloseButton
 from armui.ui.panels.parameters.parameter_panel import ParameterPanel
 from armui.ui.panels.parameters.setting_cell import SettingCell, cell_name
 from armui.ui.widgets.buttons import choice_button, named
-from armui.ui.widgets.layouts import empty_grid, in_column, in_row
+from armui.ui.widgets.layouts import STRETCH, empty_grid, fill, in_row
 from armui.ui.widgets.text_label import text_label
 
 _LABEL_PX: Final = 30
 _GAP_PX: Final = 3
+_NOTE_PX: Final = 94
+"""Beside the levels: below them it would be read as of the last one."""
 _HEIGHT_PX: Final = 30
 _NO_DETECTION: Final = 0
-_DIALOG_WIDTH_PX: Final = 520
-_DIALOG_HEIGHT_PX: Final = 700
+_DIALOG_PX: Final = (600, 520)
 
 
 class LevelRow(QWidget):
@@ -93,7 +94,9 @@ class LevelCell(SettingCell):
         kind = parameter.kind
         self.levels = range(round(kind.minimum), round(kind.maximum) + 1)
         self._row = named(cell_name(parameter), LevelRow(self.levels, cell_name(parameter)))
-        in_column(self._row, self.note, on=self, spacing=1, margins=0)
+        self.note.setFixedWidth(_NOTE_PX)
+        self.note.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        in_row((self._row, 1), self.note, on=self, spacing=0, margins=0)
         self._row.chosen.connect(self.edited)
 
     @property
@@ -153,11 +156,11 @@ class LevelsPanel(ParameterPanel):
         for row, cell in enumerate(self._levels):
             label = QLabel(f"J{cell.parameter.joint}")
             label.setMinimumHeight(_LABEL_PX)
-            grid.addWidget(label, row, 0, Qt.AlignmentFlag.AlignTop)
+            grid.addWidget(label, row, 0)
             grid.addWidget(cell, row, 1)
         last = len(self._levels)
         grid.addWidget(self._all_label, last, 0)
-        grid.addWidget(self._all, last, 1)
+        grid.addLayout(in_row((self._all, 1), _NOTE_PX), last, 1)
         grid.addWidget(self._note, last + 1, 0, 1, 2)
         grid.setColumnStretch(1, 1)
         grid.setRowStretch(last + 2, 1)
@@ -240,8 +243,7 @@ class DragAssistancePanel(LevelsPanel):
     buttons = ParameterPanel.buttons_of("drag_assistance")
 
     def __init__(self, controller: ArmController, open_backup: Callable[[], object]) -> None:
-        group = Group.DRAG_ASSISTANCE
-        super().__init__(controller, group, open_backup)
+        super().__init__(controller, Group.DRAG_ASSISTANCE, open_backup)
 
     def title(self) -> str:
         """Return 拖动助力 in the operator's language."""
@@ -252,9 +254,6 @@ class DragAssistancePanel(LevelsPanel):
         layout = self.layout()
         if layout is not None:
             layout.setContentsMargins(0, 0, 0, 0)
-        policy = self._title.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)  # the button beside it stays at the right
-        self._title.setSizePolicy(policy)
         self._title.hide()
 
     def note(self) -> str:
@@ -285,7 +284,9 @@ class DragAssistanceDialog(ArmDialog):
         self.panel = DragAssistancePanel(controller, open_backup)
         self.panel.stand_in_dialog()
         self.body.addWidget(self.panel)
-        self.resize(_DIALOG_WIDTH_PX, _DIALOG_HEIGHT_PX)
+        read, *acts, backup = self.panel.buttons.values()
+        fill(self.footer, read, backup, STRETCH, *acts, CloseButton(self))
+        self.resize(*_DIALOG_PX)
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
