@@ -41,6 +41,13 @@ def result(dialog, joint):
     return dialog._labels[joint][3].text()
 
 
+def test_enter_begins_the_check_and_never_the_way_round_it(lost):
+    dialog = opened(lost)
+    assert dialog.allow_button.isVisible()
+    assert dialog.focusWidget() is dialog.begin_button
+    assert dialog.begin_button.property("primary")
+
+
 def test_it_is_said_in_the_line_the_joint_status_and_the_events(lost):
     line = lost.find("recovery_text").text()
     assert line.startswith("Joint 5 left its place uncommanded while it was enabled")

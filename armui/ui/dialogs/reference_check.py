@@ -54,6 +54,7 @@ class ReferenceDialog(ArmDialog):
         named="reference_begin",
         does=ReferenceControl.begin,
         key="reference.begin",
+        primary=True,
     )
     allow_button = Act(
         "Move anyway",
@@ -143,6 +144,7 @@ class ReferenceDialog(ArmDialog):
         self._close = CloseButton(self)
         fill(self.footer, self.teach_button, self.allow_button, STRETCH)
         fill(self.footer, self.begin_button, self.back_button, self._close)
+        self.begin_button.setFocus()  # not the way round the check, which comes before it
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show the present state and the photo of the reference pose."""
