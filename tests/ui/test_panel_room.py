@@ -55,3 +55,16 @@ def test_no_button_below_the_card_moves_when_something_is_said(panel, height):
     assert [each.geometry() for each in buttons] == before
     assert message.geometry().bottom() <= panel.height()
     assert not any(each.geometry().intersects(message.geometry()) for each in buttons)
+
+
+def test_a_card_that_grows_gets_the_room_that_is_kept_for_a_message(panel):
+    message, area = panel.findChild(MessageLine), panel.findChild(QScrollArea)
+    QApplication.sendPostedEvents()
+    assert not message.isHidden()
+    more = QPushButton(minimumHeight=panel.height())
+    area.widget().layout().addWidget(more)
+    more.show()
+    for _ in range(5):
+        QApplication.sendPostedEvents()
+    assert message.isHidden()
+    assert area.verticalScrollBar().maximum() > 0

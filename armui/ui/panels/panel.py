@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
-from PySide6.QtGui import QResizeEvent, QShowEvent
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QBoxLayout, QLayout, QScrollArea, QWidget
 
 from armui.arm.refusal import Refusal
@@ -237,10 +238,12 @@ class Panel(HasActs, Translated, QWidget):
         super().showEvent(event)
         self._show_all()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Distribute the new space."""
-        super().resizeEvent(event)
-        self._share_room()
+    def event(self, event: QEvent) -> bool:
+        """Share the room anew when there is more or less of it, or a part needs more or less."""
+        done = super().event(event)
+        if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
+            self._share_room()
+        return done
 
 
 def _least_height(card: QWidget, width_px: int) -> int:

@@ -352,11 +352,7 @@ class EndLoadPanel(Panel):
         label = self._mounting.send.text()
         chosen = self._mounting.chosen
         self._ask_to_hold(
-            title,
-            text,
-            label,
-            self._mounting.tell,
-            still=lambda: self._mounting.chosen is chosen,
+            title, text, label, self._mounting.tell, still=lambda: self._mounting.chosen is chosen
         )
 
     @switch.pressed

@@ -467,6 +467,7 @@ class ParameterPanel(Panel):
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
         said = self._said(self._refusal or self._unless_told(self._why_not_here()) or occupied)
         self._message.show_message(said.text, said.level)
+        self._share_room()
 
     def _said(self, refusal: Refusal | None) -> _Said:
         """Return the one thing to say: a refusal, what is wrong, a danger, or that it is saved."""
