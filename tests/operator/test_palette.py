@@ -1,5 +1,7 @@
 """The operator presses Ctrl+K, types a piece of a name, and Enter: the button itself does it."""
 
+import re
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -417,6 +419,13 @@ def test_the_list_of_shortcuts_shows_each_of_them(app_driver):
     dialog = app_driver.dialog(ShortcutList)
     shown = [cap.text() for cap in dialog.findChildren(KeyCap)]
     assert sorted(shown) == sorted(each.text() for each in SHORTCUTS.values())
+
+
+@pytest.mark.parametrize("place", sorted({each.place for each in SHORTCUTS.values()}))
+def test_the_function_keys_of_a_place_are_listed_in_their_order(place):
+    keys = (each.keys.partition(",")[0] for each in SHORTCUTS.values() if each.place == place)
+    numbers = [int(each[1:]) for each in keys if re.fullmatch(r"F\d+", each)]
+    assert numbers == sorted(numbers)
 
 
 def test_a_question_mark_can_be_typed(app_driver):

@@ -14,32 +14,6 @@ from armui.ui.words.text import Text
 
 _QTS_OWN: Final = (QT_TRANSLATE_NOOP("QShortcut", "Up"), QT_TRANSLATE_NOOP("QShortcut", "Down"))
 """Keys whose names in Qt's translation are longer than their labels; our names are used."""
-_TOLD: Final = (
-    ("everywhere.stop", "F12, Pause", Text("StopButton", "Emergency stop")),
-    (
-        "everywhere.halt",
-        "F9",
-        Text("Shortcut", "Halt: ends any motion, the motors keep their power"),
-    ),
-    ("everywhere.slower", "F8", Text("Shortcut", "Slower: run or motion")),
-    (
-        "everywhere.next",
-        "Tab",
-        Text("Shortcut", "To the next control; with Shift to the one before"),
-    ),
-    ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
-    ("view.turn", "← → ↑ ↓", Text("Shortcut", "Turn the view")),
-    ("view.zoom", "+  −", Text("Shortcut", "Zoom in and out")),
-    ("view.home", "Home", Text("Shortcut", "The first view again")),
-    ("jogging.joints", "Q…Y, A…H", Text("Shortcut", "With Space held: J1 to J6 up, down")),
-    (
-        "jogging.place",
-        "↑ ↓ ← → PgUp PgDn",
-        Text("Shortcut", "With Space held: X, Y, Z of the tool"),
-    ),
-    ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
-    ("replay.move", "← →, Home, End", Text("Shortcut", ("On the timeline: through the recording"))),
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,16 +45,28 @@ class Shortcut:
 
 
 # fmt: off
-_ONE_PRESS: Final = (
+_TOLD: Final = frozenset((
+    "everywhere.stop", "everywhere.halt", "everywhere.slower", "everywhere.next",
+    "everywhere.close", "view.turn", "view.zoom", "view.home", "jogging.joints",
+    "jogging.place", "jogging.rotation", "replay.move",
+))
+"""The names of those that are only listed: something else than a shortcut of Qt's acts on them."""
+_LISTED: Final = (
     ("everywhere.palette", "Ctrl+K",
      Text("Shortcut", "Command palette: find every function by its name")),
+    ("everywhere.shortcuts", "?", Text("Shortcut", "This list")),
     ("everywhere.guide", "F1", Text("Shortcut", "Help, at the place where you are")),
-    ("everywhere.faster", "F7",
-     Text("Shortcut", "Faster: run or motion")),
     ("everywhere.episode", "F6", Text("Shortcut", "Begin or end an episode of the log")),
     ("everywhere.discard_episode", "Shift+F6", Text("Shortcut", "Discard the last episode")),
-    ("everywhere.shortcuts", "?", Text("Shortcut", "This list")),
+    ("everywhere.faster", "F7", Text("Shortcut", "Faster: run or motion")),
+    ("everywhere.slower", "F8", Text("Shortcut", "Slower: run or motion")),
+    ("everywhere.halt", "F9",
+     Text("Shortcut", "Halt: ends any motion, the motors keep their power")),
     ("everywhere.full_screen", "F11", Text("Action", "Full screen")),
+    ("everywhere.stop", "F12, Pause", Text("StopButton", "Emergency stop")),
+    ("everywhere.next", "Tab",
+     Text("Shortcut", "To the next control; with Shift to the one before")),
+    ("everywhere.close", "Esc", Text("Shortcut", "Close the dialog")),
     ("window.settings", "Ctrl+,", Text("MenuFoot", "Settings")),
     ("window.reset_view", "Ctrl+0", Text("MenuFoot", "Reset view")),
     ("view.front", "Ctrl+1", Text("ViewBar", "Front view")),
@@ -98,6 +84,13 @@ _ONE_PRESS: Final = (
     ("view.save", "Ctrl+Alt+S", Text("ViewBar", "Save picture…")),
     ("view.copy", "Ctrl+Alt+C", Text("ViewBar", "Copy picture")),
     ("view.handles", "Ctrl+Shift+D", Text("ViewBar", "Drag the target in the picture")),
+    ("view.turn", "← → ↑ ↓", Text("Shortcut", "Turn the view")),
+    ("view.zoom", "+  −", Text("Shortcut", "Zoom in and out")),
+    ("view.home", "Home", Text("Shortcut", "The first view again")),
+    ("jogging.joints", "Q…Y, A…H", Text("Shortcut", "With Space held: J1 to J6 up, down")),
+    ("jogging.place", "↑ ↓ ← → PgUp PgDn",
+     Text("Shortcut", "With Space held: X, Y, Z of the tool")),
+    ("jogging.rotation", "Q…E, A…D", Text("Shortcut", "With Space held: RX, RY, RZ of the tool")),
     ("motion.home", "Ctrl+Shift+H", Text("MotionPanel", "Home")),
     ("motion.load", "Ctrl+L", Text("MotionPanel", "Take current")),
     ("motion.send", "Ctrl+Return", Text("MotionPanel", "Send")),
@@ -147,13 +140,13 @@ _ONE_PRESS: Final = (
     ("replay.previous_fault", "Shift+N", Text("Transport", "Previous fault")),
     ("replay.next_fault", "N", Text("Transport", "Next fault")),
     ("replay.copy", "Ctrl+C", Text("Shortcut", "Copy the chosen rows")),
+    ("replay.move", "← →, Home, End", Text("Shortcut", "On the timeline: through the recording")),
 )
 
 # fmt: on
 
 SHORTCUTS: Final[Mapping[str, Shortcut]] = {
-    **{name: Shortcut(name, keys, title) for name, keys, title in _ONE_PRESS},
-    **{name: Shortcut(name, keys, title, by_qt=False) for name, keys, title in _TOLD},
+    name: Shortcut(name, keys, title, by_qt=name not in _TOLD) for name, keys, title in _LISTED
 }
 """The shortcuts by their names."""
 
