@@ -49,6 +49,13 @@ def offered(app_driver):
     return next(each for each in items if each.command.name == "window.faults")
 
 
+def test_the_faults_of_a_joint_and_of_the_arm_stand_in_the_same_columns(online):
+    dialog = opened(online)
+    places = [{dialog.switches[n].x() for n in faults} for faults in (AT_A_JOINT, OF_THE_ARM)]
+    assert places[0] == places[1]
+    assert len(places[0]) == 3
+
+
 def test_a_hot_motor_is_warned_of_until_it_is_let_cool(ready):
     dialog = opened(ready)
     dialog.joint_box.setCurrentIndex(1)

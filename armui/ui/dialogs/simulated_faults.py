@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from armui.arm.limits import JOINTS
@@ -82,12 +83,13 @@ class FaultsDialog(ArmDialog):
         self._joint_label.setBuddy(self.joint_box)
         self._message = named("faults_message", MessageLine())
         joint = in_row(self._joint_label, self.joint_box, STRETCH)
+        grid, left = empty_grid(gaps=(8, 8), margins=0), Qt.AlignmentFlag.AlignLeft
         for faults, head in ((AT_A_JOINT, joint), (OF_THE_ARM, in_row(self._arm_label))):
-            grid = empty_grid(gaps=(8, 8))
+            first = grid.rowCount()
+            grid.addLayout(head, first, 0, 1, 3)
             for place, name in enumerate(faults):
-                grid.addWidget(self.switches[name], *divmod(place, 3))
-            fill(self.body, head, grid)
-        fill(self.body, STRETCH, self._message)
+                grid.addWidget(self.switches[name], first + 1 + place // 3, place % 3, left)
+        fill(self.body, grid, STRETCH, self._message)
         fill(self.footer, STRETCH, CloseButton(self))
         self.joint_box.currentIndexChanged.connect(self._refresh)
         controller.operating_state_changed.connect(self._refresh)
