@@ -353,7 +353,7 @@ class BackupDialog(ArmDialog):
     # Layout -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
-        self._message = named("backup_message", MessageLine())
+        self._message = named("backup_message", MessageLine(keeps_room=False))
         self._origin = text_label("backup_origin", wraps=True)
         self.table = QTableView()
         self.table.setModel(self._shown)

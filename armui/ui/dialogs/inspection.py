@@ -112,7 +112,7 @@ class InspectionDialog(ArmDialog):
         grid.setRowStretch(len(JOINTS) + 1, 1)
         self.report_view = named("inspection_report", QTextBrowser())
         self.report_view.setMinimumWidth(_REPORT_PX)  # a report is as wide as its curves
-        self._message = named("inspection_message", MessageLine(self))
+        self._message = named("inspection_message", MessageLine(keeps_room=False))
         choice = in_row(self._amplitude_label, self.amplitude, self._speed, STRETCH, spacing=10)
         fill(self.body, self._intro, choice, (self._table, 1), (self.report_view, 1), self._message)
         fill(self.footer, self.begin_button, self.save_button, STRETCH, CloseButton(self))

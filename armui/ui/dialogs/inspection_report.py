@@ -111,10 +111,7 @@ def report_html(report: InspectionReport, arm: Sequence[str], colors: Colors) ->
     parts = [
         f'<h2 style="margin:0">{escape(_WORDS.text("title"))}</h2>',
         f'<p style="margin:2px 0; color:{colors.muted}">{"<br>".join(map(escape, told))}</p>',
-        _list(
-            _WORDS.text("found"),
-            _found(report) or [_WORDS.text("nothing")],
-        ),
+        _list(_WORDS.text("found"), _found(report) or [_WORDS.text("nothing")]),
         _list(_WORDS.text("unmeasured"), _unmeasured(report)),
         _list(_WORDS.text("shortened"), _shortened(report)),
         _figures(report, colors),

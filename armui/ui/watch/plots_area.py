@@ -67,8 +67,7 @@ class PlotsArea(QWidget):
         self.bar = PlotBar(self.board, self)
         self.quantities = QuantityList(telemetry, self)
         self.cursor_table = CursorTable(self.board, telemetry, self)
-        self.message = named("plot_message", MessageLine(self))
-        self.message.hide()
+        self.message = named("plot_message", MessageLine(self, keeps_room=False))
         self.export = PlotExport(controller, self.board, background, self)
         self._lay_out()
         self.quantities.wanted.connect(lambda keys: self.board.take(keys, None, self.board.chosen))
@@ -114,7 +113,6 @@ class PlotsArea(QWidget):
     def say(self, text: str, level: Level) -> None:
         """Show a message to the operator."""
         self.message.show_message(text, level)
-        self.message.show()
 
     def _on_save(self, what: str) -> None:
         if what == "copy_picture":

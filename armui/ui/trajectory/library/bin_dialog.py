@@ -48,7 +48,7 @@ class BinDialog(ArmDialog):
         self._table.verticalHeader().setDefaultSectionSize(_ROW_PX)
         for column in (1, 2):
             self._table.setColumnWidth(column, _DATE_PX)
-        self._message = named("bin_message", MessageLine())
+        self._message = named("bin_message", MessageLine(keeps_room=False))
         fill(self.body, self._text, (self._table, 1), self._message)
         fill(self.footer, STRETCH, self._back, CloseButton(self))
         self._table.itemSelectionChanged.connect(self._show_usable)

@@ -67,8 +67,7 @@ class EventPage(Page):
         self.detail = text_label("event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self._message = named("event_message", MessageLine())
-        self._message.hide()
+        self._message = named("event_message", MessageLine(keeps_room=False))
         self.body.setSpacing(4)
         self.detail.hide()
         self._table_and_detail = in_row((self.table, 1), self.detail, spacing=8)
@@ -219,7 +218,6 @@ class EventPage(Page):
 
     def _say(self, text: str, level: Level) -> None:
         self._message.show_message(text, level)
-        self._message.show()
 
     def headers(self) -> Mapping[str, QHeaderView]:
         """Return the table's header, whose columns are stored."""

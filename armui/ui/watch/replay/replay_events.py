@@ -64,8 +64,7 @@ class ReplayEvents(Translated, QWidget):
         self.detail = text_label("replay_event_detail", wraps=True, plain=True)
         self.detail.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.detail.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
-        self.message = MessageLine()
-        self.message.hide()
+        self.message = MessageLine(keeps_room=False)
         parts = (self.bar, (self.table, 1), self.detail, self.message)
         in_column(*parts, on=self, margins=(8, 8, 8, 6))
         self._connect()
@@ -160,7 +159,6 @@ class ReplayEvents(Translated, QWidget):
 
     def _say(self, text: str, level: Level) -> None:
         self.message.show_message(text, level)
-        self.message.show()
 
     # Appearance -------------------------------------------------------------------------------
 

@@ -55,8 +55,7 @@ class ReplayFrames(Translated, QWidget):
         self._texts = FrameTexts()
         self.model = TraceModel(self._texts, lambda at_s: moment(at_s).rpartition(" ")[2], self)
         self.table = TraceList(self.model)
-        self.message = MessageLine()
-        self.message.hide()
+        self.message = MessageLine(keeps_room=False)
         self._trace: TraceSnapshot | None = None
         self._between_s = (math.inf, -math.inf)
         self._job: Job[tuple[BusStatistics, float, float]] | None = None
@@ -85,7 +84,6 @@ class ReplayFrames(Translated, QWidget):
         if isinstance(read, Refusal):
             self._between_s = (-math.inf, math.inf)  # it would be refused again
             self.message.show_message(partial(words.refusal, read), Level.FAULT)
-            self.message.show()
             return
         statistics, begin_s, end_s = read
         self._texts.speak(statistics.codec)
