@@ -332,7 +332,7 @@ class GamepadDialog(ArmDialog):
                 *(self._device_label, (self.device_box, 1), 12, self._mode_label, modes), spacing=8
             ),
             self._message,
-            in_row((self._axes_card, 1), (self._buttons_card, 1), spacing=12),
+            in_row((in_column(self._axes_card, STRETCH), 1), (self._buttons_card, 1), spacing=12),
             STRETCH,
             self._hint,
         )

@@ -72,6 +72,7 @@ class CursorTable(QWidget):
                 if column:
                     item.setTextAlignment(_RIGHT)
                 self.table.setItem(row, column, item)
+        self.table.resizeColumnsToContents()  # what they leave is the names'
 
     def text(self) -> str:
         """Return the whole table as text for a spreadsheet."""

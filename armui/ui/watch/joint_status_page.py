@@ -370,9 +370,10 @@ class JointStatusPage(Page):
         )
         for joint, button in self.clear_buttons.items():
             button.setProperty("compact", True)
-            number = text_label(text=str(joint))
+            number = text_label(text=f"J{joint}")
+            number.setFont(scaled_font(number, 1.0, bold=True))
             cell = (int(_LEFT_PX), 0, _BETWEEN_PX, 0)
-            row.addLayout(in_row(number, button, STRETCH, spacing=0, margins=cell), 1)
+            row.addLayout(in_row(number, button, STRETCH, spacing=_BETWEEN_PX, margins=cell), 1)
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the quantities of the cell at a place of the page."""
