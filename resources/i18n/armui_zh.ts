@@ -14684,6 +14684,10 @@ The other program must have ended.</source>
         <translation>按住空格：末端 RX、RY、RZ</translation>
     </message>
     <message>
+        <source>On the timeline: through the recording</source>
+        <translation>在时间轴上：在日志中前后移动</translation>
+    </message>
+    <message>
         <source>Help, at the place where you are</source>
         <translation>使用帮助，打开当前所在处的章节</translation>
     </message>

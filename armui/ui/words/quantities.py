@@ -186,7 +186,7 @@ _CODES: Final[Mapping[str, Callable[[int], str]]] = {
     "arm_status": arm.arm_status,
     "move_mode": arm.move_mode,
     "teaching": arm.teaching,
-    "not_reached": lambda code: arm.reached(code == 0),
+    "not_reached": _yes_or_no,
     "enabled": _yes_or_no,
     "gripper_enabled": _yes_or_no,
     "beyond_limit": _joints,
