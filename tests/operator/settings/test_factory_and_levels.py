@@ -72,7 +72,7 @@ def test_one_click_sets_all(collision):
 def test_switching_the_detection_off_is_called_a_danger_and_asked_about(collision):
     collision.click("collision_edit_button")
     collision.click("collision_level_2_level_0")
-    assert "J2 will not stop when they hit" in collision.read("collision_message")
+    assert "J2 will not stop after hitting" in collision.read("collision_message")
     collision.click("collision_save_button")
     assert "Keep everyone out of its reach" in collision.dialog(ConfirmDialog).text()
     collision.run(0.1)
