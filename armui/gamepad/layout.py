@@ -163,6 +163,8 @@ def swapped(now: Assignment, action: str, button: str) -> Assignment:
     old = figures[action]
     for other, has in figures.items():
         if button and has == button and other != action:
+            if not old and other not in OPTIONAL:
+                return now  # it would have no button
             figures[other] = old
     figures[action] = button
     return Assignment(**figures)

@@ -104,12 +104,13 @@ def tags(
 
 
 def signs(path: PathPicture, projection: Projection) -> list[Sign]:
-    """Return the signs of findings, errors last, so that they lie on top.
+    """Return the signs of findings, the gravest last, so that they lie on top.
 
     A finding outside of the picture has its sign at the rim, in its direction.
     """
     found = []
-    for finding in sorted(path.findings, key=lambda each: each.is_error)[-_MOST:]:
+    gravest_first = sorted(path.findings, key=lambda each: not each.is_error)
+    for finding in reversed(gravest_first[:_MOST]):
         x, y, z = finding.place_mm
         seen_px = _seen_px(projection, (x / 1000.0, y / 1000.0, z / 1000.0))
         x_px = _within(seen_px[0], _RIM_PX.left, projection.width_px - _RIM_PX.right)

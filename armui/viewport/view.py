@@ -334,19 +334,19 @@ class ArmView(QWidget):
         self._viewpoint.set_reach(reach)
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
-    def set_area(
-        self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6, *, typed: bool = False
-    ) -> None:
-        """Show the planes and boxes of a work area, and stand the base so in the room.
-
-        One that is being typed is brought into the picture.
-        """
+    def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
+        """Show the planes and boxes of a work area, and stand the base so in the room."""
         self._viewpoint.set_placement(pose_rows(base))
         if area != self._state.area:
-            self._viewpoint.set_boxes(tuple(corners(area)), typed=typed)
+            self._viewpoint.set_boxes(tuple(corners(area)))
         camera = self._viewpoint.camera
         if (area, camera) != (self._state.area, self._state.camera):
             self._show(replace(self._state, area=area, camera=camera))
+
+    def bring_in(self, area: AreaPicture) -> None:
+        """Have boxes in the picture that are new in it, unless the operator has turned it."""
+        self._viewpoint.bring_in(tuple(corners(area)))
+        self._take_camera()
 
     def set_tool(self, tool: Sequence[float]) -> None:
         """Set the tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees."""

@@ -118,16 +118,18 @@ class Viewpoint:
             self._places = places
             self._refit(exactly=False)
 
-    def set_boxes(self, corners: tuple[Vector, ...], *, typed: bool = False) -> None:
-        """Set the corners of the boxes of the work area, which :meth:`fit` shows as well.
-
-        Args:
-            corners: The corners.
-            typed: True while a plane or box is being typed: they are shown from then on.
-        """
+    def set_boxes(self, corners: tuple[Vector, ...]) -> None:
+        """Set the corners of the boxes of the work area, which :meth:`fit` shows as well."""
         if corners != self._boxes:
-            self._boxes, self._with_boxes = corners, self._with_boxes or typed
-            self._refit(exactly=True)
+            self._boxes = corners
+            if self._with_boxes:
+                self._refit(exactly=True)
+
+    def bring_in(self, places: Sequence[Vector]) -> None:
+        """Have places in the picture that are new in it; they stay in it like those of the arm."""
+        if self.mode is ViewMode.FIT and self._shape is not None and not self._is_held:
+            self._been = [*self._been, places]
+            self.camera = self._fitted(_GROWN)
 
     def set_reach(self, reach: Reach | None) -> None:
         """Set the reach that shall be in the picture as well; None for none."""

@@ -11343,6 +11343,10 @@ The other program must have ended.</source>
         <translation>下一步</translation>
     </message>
     <message>
+        <source>“{name}” has not started: the check asks first. Read what was found, and press the button beside it.</source>
+        <translation>“{name}”尚未运行：检查后需要确认。请阅读检查结果，再按其旁边的按钮。</translation>
+    </message>
+    <message>
         <source>Below the arm: {names}.</source>
         <translation>机械臂下方是 {names}。</translation>
     </message>
@@ -11353,10 +11357,6 @@ The other program must have ended.</source>
     <message>
         <source>Waiting for the arm</source>
         <translation>等待机械臂</translation>
-    </message>
-    <message>
-        <source>“{name}” has not started: the check asks first. Press the highlighted button beside what was found.</source>
-        <translation>“{name}”尚未运行：检查后需要确认。请按检查结果旁的高亮按钮。</translation>
     </message>
     <message>
         <source>Another way</source>

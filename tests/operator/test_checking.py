@@ -246,7 +246,7 @@ def test_what_waits_for_the_operator_is_lit_and_said_in_the_line_above(operator,
         operator.workers.work()
         assert (accept.property("primary"), send.property("primary")) == (True, False)
         assert "“Test” has not started" in operator.app_driver.read("recovery_text")
-        assert "highlighted button" in operator.app_driver.read("recovery_text")
+        assert "press the button beside it" in operator.app_driver.read("recovery_text")
 
     def answered():
         assert operator.app_driver.read("recovery_text") == "Ready"

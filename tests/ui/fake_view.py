@@ -40,9 +40,11 @@ class FakeView(QWidget):
         self.has_given_up = False
         self.joint_range: tuple[Any, ...] | None = None
 
-    def set_area(self, area: Any, base: Any = (), *, typed: bool = False) -> None:
+    def set_area(self, area: Any, base: Any = ()) -> None:
         self.area = area
         self.base = base
+
+    def bring_in(self, area: Any) -> None: ...
 
     def set_joints(self, angles_deg: Any, gripper_mm: Any, stale: bool = False) -> None:
         self.joints = (angles_deg, gripper_mm, stale)

@@ -158,6 +158,9 @@ def test_an_action_may_have_no_button_and_takes_none_from_the_stop(app_driver, d
     choose(dialog, "discard", "b")  # the stop would have none
     assert (pilot.buttons_of(PAD).stop, pilot.buttons_of(PAD).discard) == ("b", "")
     assert box.currentText() == "No button"
+    choose(dialog, "dead_man", "a")
+    choose(dialog, "discard", "a")  # and what else was assigned is not lost by it
+    assert (pilot.buttons_of(PAD).dead_man, pilot.buttons_of(PAD).discard) == ("a", "")
 
 
 def test_the_first_buttons_come_back(app_driver, dialog, pads):

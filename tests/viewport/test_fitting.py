@@ -183,8 +183,12 @@ def test_a_forbidden_box_is_shown_with_the_arm(looking):
     assert looking.viewpoint.camera.distance_m < 4.0 * before.distance_m
     looking.viewpoint.reset()
     assert looking.viewpoint.camera == before
-    looking.viewpoint.set_boxes(at_m, typed=True)
+    looking.viewpoint.set_boxes(at_m)
+    looking.viewpoint.bring_in(at_m)
     assert is_clear(looking.viewpoint.camera, [[place] for place in at_m], looking.room, 1.5)
+    seen = looking.viewpoint.camera
+    looking.viewpoint.set_boxes(endless)
+    assert looking.viewpoint.camera == seen, "no jump while one types or drags"
 
 
 def test_following_keeps_the_tool_in_the_middle(looking, shape):

@@ -184,3 +184,14 @@ def test_the_point_under_way_is_lit_and_no_other(scene):
     scene.set_preview(shown)
     ground = np.array(rgb(LIGHT.background)) * 255.0
     assert np.abs(color_at(scene, ring) - ground).max() < 60
+
+
+def test_the_gravest_of_many_findings_have_their_signs_on_top():
+    """They come gravest first: a contact before other warnings."""
+    contacts = [FindingMark((300.0 + at, 0.0, 300.0), False, at, "contact") for at in range(100)]
+    others = [FindingMark((300.0 + at, 50.0, 300.0), False, at, "other") for at in range(100)]
+    found = signs(path(findings=(*contacts, *others)), PROJECTION)
+    assert sum(each.finding.text == "contact" for each in found) == 100
+    one, other = contacts[0], FindingMark(contacts[0].place_mm, False, 6, "other")
+    at = signs(path(findings=(one, other)), PROJECTION)[0]
+    assert finding_at(path(findings=(one, other)), PROJECTION, at.x_px, at.y_px) is one

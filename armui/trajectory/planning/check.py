@@ -240,7 +240,7 @@ class CheckOutcome:
     Attributes:
         path: The path of the arm.
         expected_s: The duration of each point at its own speed; empty for a recording.
-        findings: The findings, errors first, then by row.
+        findings: The findings, errors first, then warnings of a contact, then by row.
         profile: The replay profile of a recording; ``None`` for points.
         as_checked: The content as it was checked, and will be run: all points in the base, a
             recording without the samples in which the arm lies at rest, points in which it does

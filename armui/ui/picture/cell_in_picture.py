@@ -54,6 +54,7 @@ class CellInPicture(QObject):
         self._view = view
         self._switches = switches
         self._zone = zone
+        self._makes_one = False
         for name in ("area", "frames"):
             switches[name].toggled.connect(self._show)
         controller.cell_changed.connect(self._show)
@@ -81,19 +82,21 @@ class CellInPicture(QObject):
         zone = self._zone()
         typed = None if zone is None else zone.typed_zone()
         held = held_picture(None if cell is None else cell.held_object)
-        new = typed is not None and (cell is None or typed not in cell.area.zones)
-        if typed is not None and new:
+        if typed is not None and (cell is None or typed not in cell.area.zones):
             size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
+        names = () if cell is None else [each.name for each in cell.area.zones]
+        begins = not self._makes_one
+        self._makes_one = typed is not None and typed.name not in names
+        if self._makes_one and begins:
+            self._view.bring_in(held[:1])
         pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switches["area"].isChecked():
-            self._view.set_area(_as_confirmed(held, pale=pale), base, typed=new)
+            self._view.set_area(_as_confirmed(held, pale=pale), base)
             return
         seen = self._controller.area_guard.look(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
-        self._view.set_area(
-            _as_confirmed((*area_picture(area, near), *held), pale=pale), base, typed=new
-        )
+        self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale), base)
 
 
 def _as_confirmed(shapes: AreaPicture, *, pale: bool) -> AreaPicture:

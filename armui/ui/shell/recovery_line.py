@@ -215,8 +215,8 @@ class RecoveryLine(Translated, QWidget):
         text = self._texts[0]
         if self._asks:
             text = self.tr(
-                "“{name}” has not started: the check asks first. Press the highlighted button "
-                "beside what was found."
+                "“{name}” has not started: the check asks first. Read what was found, and "
+                "press the button beside it."
             ).format(name=self._asking)
             self._texts = (text,)
         self._fit_text()

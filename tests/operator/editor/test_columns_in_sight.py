@@ -148,3 +148,13 @@ def test_a_file_of_time_and_six_joints_is_imported_without_a_scroll(app_driver):
     assert page.findChild(ColumnsTable).horizontalScrollBar().maximum() == 0
     origin = page.findChild(QLabel, "column_origin_7")
     assert origin.fontMetrics().horizontalAdvance("Guess: check it") <= origin.width(), "is cut"
+
+
+@pytest.mark.styled
+def test_a_width_that_the_operator_has_given_stays_while_one_scrolls(app_driver):
+    app_driver.window.resize(1920, 1000)
+    table = Editor(app_driver, *[replace(BEGIN, gripper=GripperOpening(30.0))] * 100).table
+    app_driver.run(0.2)
+    table.setColumnWidth(PointColumn.GRIPPER, 150)
+    table.verticalScrollBar().setValue(20)
+    assert table.columnWidth(PointColumn.GRIPPER) == 150

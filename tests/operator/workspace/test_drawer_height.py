@@ -9,6 +9,8 @@ from armui.ui.shell.drawer import DRAWER_PX
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import PANELS
 from tests.gallery_scenes import trajectories
+from tests.operator.editor.actions import BACK, OUT, UP, Editor, to
+from tests.operator.library.actions import LibraryDriver
 from tests.operator.workspace.actions import rect_in_window
 
 pytestmark = pytest.mark.styled
@@ -84,13 +86,10 @@ def test_the_question_of_a_check_is_in_sight_too(pages, where):
     assert is_in_sight(pages.driver, "run_send")
 
 
-@pytest.mark.parametrize("size", [(1024, 720), (1280, 800)])
-def test_each_finding_that_is_agreed_to_is_in_sight(app_driver, size):
-    """The smallest window, also if it had more room as the question came."""
-    app_driver.window.resize(*size)
+def test_each_finding_that_is_agreed_to_is_in_sight_in_the_smallest_window(app_driver):
+    app_driver.window.resize(1024, 720)
     app_driver.run(0.2)
     library = trajectories.sunk(app_driver)
-    app_driver.window.resize(1024, 720)
     found = library.findChild(QListWidget, "findings_list")
     app_driver.wait(lambda: is_in_sight(app_driver, "accept_warnings"))
     assert found.count() == 2
@@ -110,6 +109,35 @@ def test_the_accepting_button_leads_at_the_end_of_findings_that_need_scrolling(a
     assert accept.isEnabled()
     found.scrollToBottom()
     assert accept.property("primary")
+
+
+def test_what_was_found_leaves_the_page_where_the_operator_went_meanwhile(app_driver):
+    """No button, held or not, goes from under the pointer because the arm has moved."""
+    app_driver.ready()
+    app_driver.window.resize(1024, 640)
+    editor = Editor(app_driver, *[to(each, holds="a thing") for each in (OUT, BACK, UP) * 20])
+    editor.click("editor_check")
+    app_driver.run(0.3)
+    pane, bar = editor.window._findings, editor.window._area.verticalScrollBar()
+    title = pane._title.text()
+    pane._shown_s = float("-inf")  # it came some time ago
+    bar.setValue(0)
+    app_driver.controller.motion.send_joints((10.0, 20.0, -20.0, 0.0, 0.0, 0.0))
+    app_driver.run(1.0)
+    assert pane._title.text() != title
+    assert bar.maximum() > bar.value() == 0
+
+
+def test_a_message_leaves_the_list_of_the_library_where_it_was_scrolled_to(app_driver):
+    app_driver.window.resize(1280, 800)
+    library = LibraryDriver(app_driver, *[f"t{number:02}" for number in range(60)])
+    library.choose("t00")
+    bar = library.table.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    before = bar.value()
+    library.window._say("Something is told.")
+    app_driver.run(0.2)
+    assert bar.value() >= before > 0
 
 
 @pytest.mark.each_value(full="each page in both languages")

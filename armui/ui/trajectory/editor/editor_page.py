@@ -288,7 +288,7 @@ class EditorPage(Page):
         self._run_bar.started.connect(self._findings.note_run)
         self._jog.insert_wanted.connect(self.insert_current)
         self._jog.refused.connect(self._on_refused)
-        self._findings.resized.connect(partial(self.bring_into_sight, self._findings))
+        self._findings.placed.connect(partial(self.bring_into_sight, self._findings))
         self._findings.finding_wanted.connect(self._show_finding)
         self._findings.found_changed.connect(self._mark_rows)
         self._findings.found_changed.connect(self.found_changed)
@@ -303,10 +303,9 @@ class EditorPage(Page):
         return self.document.name
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the jog box anew, as there is more or less height; findings stay in sight."""
+        """Place the jog box anew, because there is more or less height."""
         super().resizeEvent(event)
         self._place_jog()
-        self.bring_into_sight(self._findings)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Close what is open at Escape, one thing after another, before the page is left."""

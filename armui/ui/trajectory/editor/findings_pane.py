@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QRect, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QResizeEvent
+from PySide6.QtGui import QColor, QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from armui.arm.refusal import Refusal
@@ -32,6 +33,7 @@ _TALLEST_PX = 170
 _PADDING_PX = 14
 _SIDES_PX = 32
 _UNBOUNDED_PX = 10_000
+_COMES_S = 1.0
 _MOST = 100
 """Further lines are only counted: more than an operator reads, or a window lays out at once."""
 
@@ -51,14 +53,14 @@ class FindingsPane(HasActs, Translated, QWidget):
             now; also after the pane was closed.
         dismissed: It was closed without an answer.
         asks: Whether it asks for an answer.
-        resized: It has another size: its page scrolls to it again.
+        placed: It has its size, after a check was shown: its page scrolls to it again.
     """
 
     finding_wanted = Signal(object)
     found_changed = Signal(object)
     dismissed = Signal()
     asks = Signal(bool)
-    resized = Signal()
+    placed = Signal()
     accept_button = Act("Run now", named="accept_warnings", primary=True)
     _close_button = Act("Close", named="findings_close")
 
@@ -67,6 +69,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         self._controller = controller
         self._runner = Runner(controller, self)
         self._moved = self._runs = False
+        self._shown_s = float("-inf")
         self._checked: Preflight | None = None
         self._accept: Callable[[], object] | None = None
         self._title = text_label("findings_title", wraps=True)
@@ -98,7 +101,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         Returns:
             The check with what holds of its findings where the arm stands now.
         """
-        self._checked, self._runs = checked, False
+        self._checked, self._runs, self._shown_s = checked, False, time.monotonic()
         self._accept = accept if not checked.errors else None
         self._fill()
         self.show()
@@ -194,7 +197,7 @@ class FindingsPane(HasActs, Translated, QWidget):
     def _is_read(self) -> bool:
         """Return whether all that is agreed to is listed above the end that is in sight."""
         bar = self._list.verticalScrollBar()
-        return bar.value() == bar.maximum()
+        return self._list.isHidden() or bar.value() == bar.maximum()
 
     def _why_less(self, waits: Refusal) -> str:
         """Return what of the cell the check counted, while it waits for its confirmation."""
@@ -224,7 +227,9 @@ class FindingsPane(HasActs, Translated, QWidget):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             QTimer.singleShot(0, self, self._fit)
-        self.resized.emit()
+        # only as it comes, and under no button that is held: later the operator may be elsewhere
+        if time.monotonic() - self._shown_s < _COMES_S and not QGuiApplication.mouseButtons():
+            self.placed.emit()
 
     def _item(self, finding: Finding) -> QListWidgetItem:
         error = finding.severity is Severity.ERROR

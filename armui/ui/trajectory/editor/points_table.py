@@ -101,7 +101,7 @@ class PointsTable(QTableView):
         across.setStretchLastSection(True)
         for column, look in LOOKS.items():
             self.setColumnWidth(column, look.width_px)
-        self.verticalScrollBar().valueChanged.connect(self.make_room)
+        self.verticalScrollBar().valueChanged.connect(self._on_scrolled)
 
     def minimumSizeHint(self) -> QSize:
         """Return room for some whole rows; the page scrolls before."""
@@ -156,17 +156,30 @@ class PointsTable(QTableView):
 
     def make_room(self) -> None:
         """Widen columns for what stands in them, in the rows that are in sight."""
-        for column, look in LOOKS.items():
-            if not look.most_px:
-                continue
-            wanted_px = min(self.sizeHintForColumn(column), look.most_px)
-            if column in self._whole_px:
-                self._whole_px[column] = max(self._whole_px[column], wanted_px)
-            elif wanted_px > self.columnWidth(column):
-                self.setColumnWidth(column, wanted_px)
+        self._widen()
         widest = f"▶ 00{max(10, self.points.rowCount())}"  # with what the style leaves beside it
         self.verticalHeader().setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
         self._shorten()
+
+    def _on_scrolled(self) -> None:
+        if self._widen():  # else a width that the operator has given stays
+            self._shorten()
+
+    def _widen(self) -> bool:
+        """Give columns what they want at most; return whether one wants more than before."""
+        grown = False
+        for column, look in LOOKS.items():
+            if not look.most_px or self.isColumnHidden(column):
+                continue
+            wanted_px = min(self.sizeHintForColumn(column), look.most_px)
+            if wanted_px <= self._whole_px.get(column, self.columnWidth(column)):
+                continue
+            grown = True
+            if column in self._whole_px:
+                self._whole_px[column] = wanted_px
+            else:
+                self.setColumnWidth(column, wanted_px)
+        return grown
 
     def drop_figures(self) -> bool:
         """Close a pose that is being typed, untaken; return whether there was one."""

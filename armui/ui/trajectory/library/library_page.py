@@ -233,7 +233,7 @@ class LibraryPage(Page):
         self._run_bar.checked.connect(self._show_check)
         self._run_bar.withdrawn.connect(self._findings.withdraw_question)
         self._run_bar.started.connect(self._findings.note_run)
-        self._findings.resized.connect(self._show_chosen)
+        self._findings.placed.connect(partial(self.bring_into_sight, self._findings))
         self._findings.finding_wanted.connect(self.finding_wanted)
         self._findings.found_changed.connect(self.found_changed)
         self._findings.dismissed.connect(self._run_bar.drop_check)
@@ -251,14 +251,13 @@ class LibraryPage(Page):
         super().showEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Keep the chosen row, which runs, and what was found of it in sight in a low window."""
+        """Keep the chosen row in sight where there is little height: it is what runs."""
         super().resizeEvent(event)
         self._show_chosen()
 
     def _show_chosen(self) -> None:
         if self._table.chosen():
             self.bring_into_sight(self._table)  # a list tells the place of its present row
-        self.bring_into_sight(self._findings)  # what is agreed to comes first
 
     def event(self, event: QEvent) -> bool:
         """Read the folder again when the window is activated."""

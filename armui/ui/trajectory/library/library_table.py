@@ -50,9 +50,8 @@ class LibraryTable(QTableView):
         return rows_hint(self, _LEAST_ROWS)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show names whole as far as the new width allows it, and the row that would run."""
+        """Show names whole as far as the new width allows it."""
         super().resizeEvent(event)
-        self.scrollTo(self.currentIndex())
         self._make_room()
 
     def _make_room(self) -> None:

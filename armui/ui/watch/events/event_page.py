@@ -94,7 +94,6 @@ class EventPage(Page):
         self.model.modelReset.connect(self._on_reset)
         self.model.dataChanged.connect(self._show_detail)
         self.table.verticalScrollBar().actionTriggered.connect(self._on_scrolled)
-        self.table.verticalScrollBar().rangeChanged.connect(self._show_newest)
         listen_for("events.copy", self.table, self.copy_chosen, Qt.ShortcutContext.WidgetShortcut)
 
     # What is shown ----------------------------------------------------------------------------
