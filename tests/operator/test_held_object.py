@@ -39,8 +39,11 @@ def add_cube(driver):
 
 @pytest.mark.styled
 def test_what_stands_beside_its_fields_stands_in_a_column(panel):
-    beside = (rect_in_window(panel.find(f"cell_{each}")) for each in BESIDE)
-    assert len({(each.left(), each.right()) for each in beside}) == 1
+    def edges():
+        rects = [rect_in_window(panel.find(f"cell_{each}")) for each in BESIDE]
+        return {(each.left(), each.right()) for each in rects}
+
+    panel.wait(lambda: len(edges()) == 1)
 
 
 def test_it_is_added_held_and_let_go_of_by_presses(panel):
