@@ -6,6 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractItemView, QListWidget, QWidget
 
 from armui.ui.shell.drawer import DRAWER_PX
+from armui.ui.trajectory.editor import findings_pane
 from armui.ui.watch.bus.bus_page import BusPage
 from tests.app_driver import PANELS
 from tests.gallery_scenes import trajectories
@@ -86,7 +87,8 @@ def test_the_question_of_a_check_is_in_sight_too(pages, where):
     assert is_in_sight(pages.driver, "run_send")
 
 
-def test_each_finding_that_is_agreed_to_is_in_sight_in_the_smallest_window(app_driver):
+def test_each_finding_that_is_agreed_to_is_in_sight_in_the_smallest_window(app_driver, monkeypatch):
+    monkeypatch.setattr(findings_pane, "_COMES_S", 60.0)  # on a busy computer it comes slowly
     app_driver.window.resize(1024, 720)
     app_driver.run(0.2)
     library = trajectories.sunk(app_driver)
