@@ -61,7 +61,8 @@ def test_a_card_that_grows_gets_the_room_that_is_kept_for_a_message(panel):
     message, area = panel.findChild(MessageLine), panel.findChild(QScrollArea)
     QApplication.sendPostedEvents()
     assert not message.isHidden()
-    more = QPushButton(minimumHeight=panel.height())
+    more = QPushButton()
+    more.setMinimumHeight(panel.height())
     area.widget().layout().addWidget(more)
     more.show()
     for _ in range(5):
