@@ -240,8 +240,9 @@ class Panel(HasActs, Translated, QWidget):
 
     def event(self, event: QEvent) -> bool:
         """Share the room anew when there is more or less of it, or a part needs more or less."""
-        done = super().event(event)
-        if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
+        room = event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}
+        done = super().event(event)  # which may delete it
+        if room:
             self._share_room()
         return done
 
