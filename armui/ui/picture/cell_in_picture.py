@@ -86,10 +86,10 @@ class CellInPicture(QObject):
             size_mm = typed.size_mm if isinstance(typed, AreaBox) else None
             held = (AreaShape(pose_rows(typed.pose), size_mm, near=True), *held)
         names = () if cell is None else [each.name for each in cell.area.zones]
-        begins = not self._makes_one
+        made_before = self._makes_one
         self._makes_one = typed is not None and typed.name not in names
-        if self._makes_one and begins:
-            self._view.bring_in(held[:1])
+        if self._makes_one and not made_before:
+            self._view.bring_in(held[:1])  # once: while one types or drags the camera stands
         pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switches["area"].isChecked():
             self._view.set_area(_as_confirmed(held, pale=pale), base)

@@ -34,6 +34,7 @@ _PADDING_PX = 14
 _SIDES_PX = 32
 _UNBOUNDED_PX = 10_000
 _COMES_S = 1.0
+"""So long after a check its page scrolls to it, as it gets its size."""
 _MOST = 100
 """Further lines are only counted: more than an operator reads, or a window lays out at once."""
 
@@ -195,7 +196,7 @@ class FindingsPane(HasActs, Translated, QWidget):
 
     @accept_button.lit
     def _is_read(self) -> bool:
-        """Return whether all that is agreed to is listed above the end that is in sight."""
+        """Return whether the list, if there is one, is scrolled to its end."""
         bar = self._list.verticalScrollBar()
         return self._list.isHidden() or bar.value() == bar.maximum()
 
@@ -227,7 +228,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             QTimer.singleShot(0, self, self._fit)
-        # only as it comes, and under no button that is held: later the operator may be elsewhere
+        # later the operator may be elsewhere; and what is held must not go from under the pointer
         if time.monotonic() - self._shown_s < _COMES_S and not QGuiApplication.mouseButtons():
             self.placed.emit()
 
