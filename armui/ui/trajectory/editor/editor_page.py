@@ -262,8 +262,11 @@ class EditorPage(Page):
         # what comes and goes takes room from the table, then scrolls: jog buttons and 发送 stay
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        self._foot = in_column(self._jog, self._run_bar, margins=0)
+        # PySide keeps the items of a layout that is added filled, also one whose widget has left:
+        # it takes the next Qt object at that address for it, and crashes at that one's end
+        self._foot = in_column(margins=0)
         self.footer.addLayout(self._foot, 1)
+        fill(self._foot, self._jog, self._run_bar)
 
     def _connect(self) -> None:
         stack = self.document.stack
