@@ -1,8 +1,8 @@
 """A widget that moves to another layout leaves nothing behind that PySide takes for alive.
 
-When a filled layout is added to another, PySide makes a Python object for each of its items. When an
-item's widget moves, Qt deletes the item, which PySide does not notice: it takes the next Qt object at
-the same address for the item, and the program crashes when that object ends.
+When a filled layout is added to another, PySide makes a Python object for each of its items. When
+an item's widget moves, Qt deletes the item, which PySide does not notice: it takes the next Qt
+object at the same address for the item, and the program crashes when that object ends.
 """
 
 import gc
