@@ -41,20 +41,24 @@ def test_no_room_is_kept_for_a_message_where_the_card_scrolls(panel):
     assert not kept[-1]
 
 
-@pytest.mark.parametrize("height", [700, 340])
-def test_no_button_below_the_card_moves_when_something_is_said(panel, height):
-    panel.resize(440, height)
-    QApplication.sendPostedEvents()
+def buttons_below(panel):
     area = panel.findChild(QScrollArea)
-    buttons = [each for each in panel.findChildren(QPushButton) if not area.isAncestorOf(each)]
-    before = [each.geometry() for each in buttons]
-    panel._say(Refusal(STOPPED))
-    QApplication.sendPostedEvents()
+    return [each for each in panel.findChildren(QPushButton) if not area.isAncestorOf(each)]
+
+
+def test_no_button_below_the_card_moves_when_something_is_said(panel):
     message = panel.findChild(MessageLine)
-    assert message.isVisible()
-    assert [each.geometry() for each in buttons] == before
-    assert message.geometry().bottom() <= panel.height()
-    assert not any(each.geometry().intersects(message.geometry()) for each in buttons)
+    for height in range(700, 330, -5):
+        panel._say(None)
+        panel.resize(440, height)
+        QApplication.sendPostedEvents()
+        before = [each.geometry() for each in buttons_below(panel)]
+        panel._say(Refusal(STOPPED))
+        QApplication.sendPostedEvents()
+        assert message.isVisible()
+        assert [each.geometry() for each in buttons_below(panel)] == before, height
+        assert message.geometry().bottom() <= panel.height()
+        assert not any(each.intersects(message.geometry()) for each in before)
 
 
 def test_a_card_that_grows_gets_the_room_that_is_kept_for_a_message(panel):

@@ -7,7 +7,7 @@ from typing import Final
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QBoxLayout, QLayout, QScrollArea, QWidget
+from PySide6.QtWidgets import QBoxLayout, QLayout, QScrollArea, QSizePolicy, QSpacerItem, QWidget
 
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
@@ -34,6 +34,7 @@ _LEVELS: Final = {
     STOP_REQUESTED: Level.FAULT,
     ARM_FAULT: Level.FAULT,
 }
+_FIXED: Final = (QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
 _GAP_PX: Final = 10
 _BELOW_PX: Final = 7
 """Below the message, which has some room of its own."""
@@ -69,6 +70,7 @@ class Panel(HasActs, Translated, QWidget):
         self._event: Event | None = None
         self._told_here: tuple[str, ...] = ()
         self._area: QScrollArea | None = None
+        self._slack = QSpacerItem(0, 0, *_FIXED)
         self._gap_px = _GAP_PX
         self._title = text_label(rank="title")
         self._message = named(message_name, MessageLine(steady=True))
@@ -158,8 +160,11 @@ class Panel(HasActs, Translated, QWidget):
         for part in (head or self._title, *parts, self._message):
             if isinstance(part, QLayout):
                 layout.addLayout(part)
+            elif isinstance(part, QScrollArea):
+                layout.addWidget(part, 1)
+                layout.addSpacerItem(self._slack)
             else:
-                layout.addWidget(part, 1 if isinstance(part, QScrollArea) else 0)
+                layout.addWidget(part)
         self._area = next((part for part in parts if isinstance(part, QScrollArea)), None)
         layout.addStretch(0 if self._area else 1)
 
@@ -167,7 +172,7 @@ class Panel(HasActs, Translated, QWidget):
         """Keep no room for a message where the card would scroll for it.
 
         There it comes right below the card, of which it takes the lower end: the buttons must not
-        move when something is said.
+        move when something is said. Room that is too low for a message stays there, too.
         """
         area, message, layout = self._area, self._message, self.layout()
         card = None if area is None else area.widget()
@@ -176,14 +181,21 @@ class Panel(HasActs, Translated, QWidget):
         layout.activate()
         shown_px = 0 if message.isHidden() else message.height() + self._gap_px
         end = layout.itemAt(layout.count() - 1)
-        spare_px = 0 if end is None else end.geometry().height()
-        room_px = area.height() + shown_px + spare_px - message.kept_px() - self._gap_px
-        short = _least_height(card, area.viewport().width()) > room_px
-        place = layout.indexOf(area) + 1 if short else layout.count() - 2
+        spare_px = self._slack.sizeHint().height() + (0 if end is None else end.geometry().height())
+        below_px = area.height() - _least_height(card, area.viewport().width())
+        room_px = below_px + spare_px + shown_px
+        short = room_px < message.kept_px() + self._gap_px
+        place = layout.indexOf(area) + 2 if short else layout.count() - 2
         if layout.indexOf(message) != place:
             layout.removeWidget(message)
             layout.insertWidget(place, message)
-        message.setVisible(bool(message.text()) or not short)
+        said = bool(message.text())
+        message.setVisible(said or not short)
+        taken_px = message.sizeHint().height() + self._gap_px if said else 0
+        slack_px = max(0, room_px - taken_px) if short else 0
+        if slack_px != self._slack.sizeHint().height():
+            self._slack.changeSize(0, slack_px, *_FIXED)
+            layout.invalidate()
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:
         """Show the controller's answer and return whether it was a yes."""
