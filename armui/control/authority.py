@@ -1,7 +1,8 @@
 """Knows who moves the arm and what our own command is: pure, fed by frames heard and sent.
 
-Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
-the place the next step starts from while it is the last one the arm got; `End` lists what ends it.
+Every part that moves the arm asks here first, and reports here what it has sent. The next step
+starts from the target of our command while that is the last one the arm received; `End` lists what
+ends a command.
 """
 
 from __future__ import annotations
@@ -65,9 +66,9 @@ _TAKEN_IN_S: Final = 0.3
 _BEGINS_S: Final = 0.1
 """An arm that was given a target says within this time that it has not reached it."""
 _SHOWN_S: Final = 0.05
-"""A status this much later than a mode word was reported after it."""
+"""A status received this long after a mode word was sent already shows the new mode."""
 _REST_SHOWS_S: Final = 0.4
-"""An arm that only sets out at a cancel is measured to move by then."""
+"""If the arm begins to move only as a cancel arrives, the motion is measured within this time."""
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 _REPLAY_SHOWS_S: Final = 1.5
@@ -112,12 +113,12 @@ class Authority:
         self._held_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._mode_left_s = -math.inf
-        """When the last mode word has left at the earliest: it may wait."""
+        """The earliest time at which the last mode word can have left; it may wait in the queue."""
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
-        """When that was sent which the arm has had the time to take in, by what is heard of it."""
+        """When the newest command was sent to which the arm has had the time to react."""
         self._given_s = -math.inf
-        """When the arm was given a target last, or a word to go on to one."""
+        """When the arm was last sent a target, or told to continue to one."""
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
@@ -159,7 +160,8 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            # what has not left is not shown by what the arm reports: neither its mode nor its end
+            # The feedback cannot show the mode or the end of a command that still waits in the
+            # queue.
             self.command, self._held_since_s = replace(self.command, sent_s=now_s), now_s
             if self._mode_left_s > self._taken_in_s:
                 self._mode_left_s = now_s
@@ -179,7 +181,7 @@ class Authority:
 
     @property
     def at_rest(self) -> bool:
-        """True if the joints are measured to stand still."""
+        """True if the measured angles show that the joints stand still."""
         return self._rest.at_rest
 
     @property
@@ -319,10 +321,10 @@ class Authority:
 
     @property
     def seems_to_hold_another(self) -> bool:
-        """The same, unless the arm stands short because its motion was ended from here.
+        """True as :attr:`may_hold_another`, unless our own cancel left the arm short of its target.
 
-        A silence hides what another host may have done in it: it is dropped before the next motion,
-        but an arm that was merely heard late is not said to hold something back.
+        What another host sent during a silence is not known, so a held motion is dropped before the
+        next one; but an arm whose feedback was merely late is not reported to hold one back.
         """
         return self.may_hold_another and not self._cut_short
 
@@ -650,7 +652,7 @@ class Authority:
         measured_deg = state.angles_deg()
         seen = self._seen
         if seen is None or not state.in_time(seen.now_s):
-            return None  # angles that came late do not show whether it moved
+            return None  # late angles do not show whether it moved
         if self.under_way or self.holds or measured_deg is None:
             return None
         if command.joints_deg is None:
@@ -665,14 +667,14 @@ class Authority:
         return End.MOVED_AWAY if away_deg > ARRIVED_DEG else None
 
     def _follow_hold(self, seen: Observation) -> None:
-        """Take what the arm itself has dropped for held back no more."""
+        """Clear the holds of a motion that the arm itself has finished or dropped."""
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return
         in_time = seen.state.in_time_for_s(seen.now_s, self._held_since_s) > _TAKEN_IN_S
         taken_in = in_time and status.at_s - self._held_since_s > _TAKEN_IN_S
         if status.value.reached and taken_in:
-            self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
+            self.holds -= {Hold.SPEED_ZERO}  # it had arrived already
         left = taken_in and status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         if left or stopped or any_motor_off(seen.state, seen.now_s):

@@ -1,4 +1,4 @@
-"""Gives the authority what the link hears, and tells the operator what the authority finds."""
+"""Passes the feedback to the authority, and reports to the operator what the authority finds."""
 
 from __future__ import annotations
 

@@ -83,7 +83,7 @@ class Context:
             return True
         if authority.may_be_ours or authority.about_to_move or now.occupied is not None:
             return False
-        # in a silence a motion of ours may go on
+        # without feedback a motion of ours may still go on
         heard_at_rest = now.link is LinkState.ONLINE and authority.at_rest
         return heard_at_rest or authority.number == 0
 
@@ -264,8 +264,8 @@ class Context:
 class ControllerPart:
     """A part of the controller that follows something over time.
 
-    A part has those of the three in which it has something to do. One without `halt` is not
-    touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
+    A part overrides those of the three methods that it needs. One without `halt` has nothing to do
+    at a stop: it drives no motion of its own.
     """
 
     def follow_arm(self) -> None:

@@ -38,7 +38,7 @@ class ArmEvidence:
     """The last answers and angles of an arm, to tell it from another one later.
 
     Attributes:
-        heard_s: When that was.
+        heard_s: Monotonic time at which it was last heard.
         answers: What it answered to the questions for its version and its limits.
         joints_deg: Where its joints stood.
     """

@@ -1,6 +1,6 @@
 """The cell in force: chosen by the operator, confirmed at each connection, changed while at rest.
 
-Without a cell everything is as it was: the tool is the one in the settings.
+While no cell is chosen, the tool of the settings applies and nothing is to be confirmed.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ class CellControl(ControllerPart):
         self._confirmed = False
         self._evidence: ArmEvidence | None = None
         self._came_s: float | None = None
-        """When an arm came after a silence of which it is not known yet whether it is the same."""
+        """When an arm came after a silence; ``None`` once it is known to be the same or not."""
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._wanted_tool: tuple[float, ...] = NO_TOOL

@@ -115,13 +115,13 @@ class _Travel:
     """A motion under way.
 
     Attributes:
-        target: Where it was sent, mm or degrees.
-        last: Where it was seen last.
+        target: The target, in mm or degrees.
+        last: The last reported place.
         moved_s: When it was last seen to move, or heard again after a gap in its feedback.
         heard_s: When it was last heard.
-        unit: Of both.
-        effort: What it was sent with.
-        started: The command; of a run, which tells of itself, there is none.
+        unit: The unit of `target` and `last`.
+        effort: The torque in N·m (generation 2) or the speed in rad/s (generation 1).
+        started: The record of the command; ``None`` in a run, which reports its own outcome.
     """
 
     target: float
@@ -240,7 +240,7 @@ class GripperControl(RequestingPart[str]):
 
     @property
     def own_figures(self) -> Figures:
-        """The same without the gripper's table: as the arm itself counts."""
+        """The ranges without the gripper's table, in the arm's own values."""
         generation, state = self._context.connection.generation, self._context.state()
         return gripper_figures(generation, state, by_angle=self.tells_angle)
 
@@ -473,12 +473,12 @@ class GripperControl(RequestingPart[str]):
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
         if feedback is None or not feedback.fresh(now_s):
-            self._lose(travel)  # whether it arrives cannot be known; its silence is told elsewhere
+            self._lose(travel)  # no feedback: its arrival cannot be seen
             return
         heard = feedback.value
         if heard.unit != travel.unit:
             if now_s - travel.moved_s >= _STANDS_S:
-                self._lose(travel)  # it goes on reporting in the other unit
+                self._lose(travel)  # it never reported in the unit of its target
             return
         late = feedback.at_s - travel.heard_s > LATE_S
         travel.heard_s = max(travel.heard_s, feedback.at_s)
@@ -519,13 +519,13 @@ class GripperControl(RequestingPart[str]):
 
         It keeps hold of whatever it grips by then.
         """
-        travel = self._travel or self._to_hold  # told again while its report is awaited
+        travel = self._travel or self._to_hold  # `_to_hold` waits for a new report
         self._drop_request()
         if travel is not None:
             self._hold_here(travel)
 
     def _hold_here(self, travel: _Travel) -> None:
-        """Send it to its present place; its next report tells that where the last one is old."""
+        """Send it to its present place, which its next report gives if the last one is too old."""
         context = self._context
         heard, now_s = context.connection.newest.gripper, context.clock()
         if heard is None or not heard.fresh(now_s) or context.authority.other.why_not() is not None:

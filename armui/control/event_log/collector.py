@@ -128,7 +128,7 @@ class EventCollector(ControllerPart):
 
     def on_noticed(self, event: Event) -> None:
         """Add a notice that the operator is told."""
-        self._take_in()  # events heard earlier come first
+        self._take_in()  # keep the order of time: earlier feedback first
         self._take_results()
         notice, params = event.notice, dict(event.params)
         now_s = self._context.clock()

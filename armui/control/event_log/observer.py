@@ -85,8 +85,8 @@ class _Series:
     Attributes:
         count: How many.
         last_s: When the last one came.
-        told: The count that was told.
-        told_s: When.
+        told: The count that was last reported.
+        told_s: The time of that report.
         since_s: When the first one came.
     """
 
@@ -172,7 +172,7 @@ class EventObserver:
             yield from self._on_rate(heard.values["hz"], heard.at_s)
 
     def _on_gap(self, at_s: float) -> Iterator[EventChange]:
-        """End everything but the status: one that is the same afterwards is one, as of a stop."""
+        """End everything but the status, which has lasted if it is the same after the gap."""
         lasting = {key: since_s for key, since_s in self._going_on.items() if _is_status(key)}
         ended = self.forget(at_s)
         yield from (each for each in ended if each.key not in lasting)
@@ -270,7 +270,7 @@ class EventObserver:
                 yield from self._follow(unusable, on=not plausible(limits.value))
 
     def _follow(self, change: EventChange, *, on: bool) -> Iterator[EventChange]:
-        """Yield the beginning or the end of what a change is about, if that is new."""
+        """Yield the beginning or the end of the event that a change is about, if that is new."""
         if on is (change.key in self._going_on):
             return
         if on:
@@ -320,7 +320,7 @@ class EventObserver:
                 yield from self._grow(begun, series.count, series.last_s)
 
     def _grow(self, begun: EventChange, count: int, last_s: float) -> Iterator[EventChange]:
-        """Tell frames that begin, and their count now and then."""
+        """Yield the beginning of a series, and its count when that has doubled or is due."""
         known = self._series.get(begun.key)
         if known is None:
             self._series[begun.key] = _Series(count, last_s, count, last_s, begun.at_s)

@@ -387,7 +387,7 @@ class Connection(QObject):
             listener.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
-        """Return what can be told of the arm while its protocol is not known."""
+        """Return the state without what cannot be read before the arm's protocol is known."""
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
@@ -417,7 +417,7 @@ class Connection(QObject):
 
     def _on_report(self, report: BusReport) -> None:
         if self._worker is None or report.worker != self._worker_number:
-            return  # a late report of a device that was left meanwhile
+            return  # a late report of a device that was closed meanwhile
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None

@@ -136,7 +136,7 @@ class Handshake:
         elif self._leads(state, now_s):
             self._ask_version(now_s, _LEADER_WAIT_S)
         elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
-            # it answered, and only generation 2 does, though no version can be read in the answer
+            # Only generation 2 answers at all, even if no version can be read in the answer.
             self._settle(Generation.TWO, now_s)
         else:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
@@ -169,7 +169,7 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Return whether it is a teaching input that leads and tells no status."""
+        """Return whether it is a teaching input, which sends commands and may send no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:

@@ -38,8 +38,8 @@ from armui.protocol.codes import MoveMode
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.points.program import Waypoint
 
-# The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
-# pose is asked for: the window starts without them.
+# The kinematics and the planning import numpy and scipy. They are loaded when the first pose is
+# asked for: the window starts without them.
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
     from armui.control.motion.joint_motion import Motion
@@ -124,7 +124,7 @@ class Cartesian(ControllerPart):
     def tool(self) -> tuple[float, ...]:
         """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
 
-        The arm knows nothing of it: its commands and feedback refer to the flange.
+        The arm has no tool setting: its commands and feedback refer to the flange.
         """
         return self._tool
 
@@ -203,7 +203,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def _plan(self, target: Sequence[float], move_mode: MoveMode) -> Plan:
-        """Return what plans the way to a pose: by the nearest angles, or on a straight line."""
+        """Return the function that plans the way to a pose: by the nearest angles, or on a line."""
 
         def plan(start_deg: Sequence[float]) -> Way | Refusal:
             unknown = self.why_unknown()
@@ -310,7 +310,7 @@ class Cartesian(ControllerPart):
         return context.gate().send(request)
 
     def _plan_arc(self, points: Sequence[Sequence[float]]) -> Plan:
-        """Return what plans the way along an arc, which begins at the first of three poses."""
+        """Return the function that plans an arc, which begins at the first of three poses."""
 
         def plan(start_deg: Sequence[float]) -> Way | Refusal:
             unknown = self.why_unknown()
@@ -354,7 +354,7 @@ class Cartesian(ControllerPart):
     def _request(
         self, started: Started, move_mode: MoveMode, target: Sequence[float], plan: Plan
     ) -> MotionRequest:
-        """Return what every motion of the tool asks of the gate; its frames are added."""
+        """Return the gate request that all tool motions share; the caller adds the frames."""
         return MotionRequest(
             started=started,
             kind=CommandKind.POSE,

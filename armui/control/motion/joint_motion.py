@@ -276,7 +276,7 @@ class Motion(ControllerPart):
         return self._context.gate().send(replace(request, sent=on_sent))
 
     def _go_on_inside(self) -> None:
-        """Take the second part of the way back once the first one has been gone."""
+        """Start the second part of the way back inside once the first one is completed."""
         authority = self._context.authority
         command = authority.command
         if not self._next_deg:
@@ -301,7 +301,7 @@ class Motion(ControllerPart):
         agreed_mm: float | None,
         **figures: object,
     ) -> Refusal | None:
-        """Send six angles if that may be, and tell so with a notice."""
+        """Send six angles if the gate lets them pass, and report it with a notice."""
         context = self._context
         request = joint_request(
             context,

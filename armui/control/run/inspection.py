@@ -83,7 +83,7 @@ class SwingPlan:
     Attributes:
         begin_deg: Where it stands.
         amplitude_deg: How far each was to swing to either side.
-        rules: What was asked; with other rules it counts no more.
+        rules: The gate's rules then; with other rules the plan is void.
         swings: Of the six joints.
     """
 
@@ -99,8 +99,8 @@ class InspectionReport:
 
     Attributes:
         entry: The figures, as they are kept.
-        plan: What was to be done.
-        findings: What stands out.
+        plan: The swings that were planned.
+        findings: The notable deviations.
         unmeasured: The joints (1–6) that were not measured, each with why.
         curves: Of the joints that swung, what was commanded and heard.
         earlier: The inspections of this arm that it was compared with.
@@ -231,10 +231,10 @@ class Inspection(ControllerPart):
             self._going = _Going(plan, speed_deg_s, list(times), recording.duration_s)
         return refusal
 
-    # What the arm shows -----------------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Measure the swings that are over, or go on looking for room."""
+        """Measure the swings that are over, or continue the search for room."""
         if self._going is not None:
             self._follow(self._going)
         elif self._wished_deg is not None:

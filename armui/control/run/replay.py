@@ -124,7 +124,7 @@ class Replay:
         )
 
     def _speeds_deg_s(self, at_s: float) -> list[float]:
-        """Return the fastest of each joint in the last second."""
+        """Return the highest speed of each joint in the last second."""
         last = self._cursor.index_at(at_s)
         first = self._cursor_behind.index_at(at_s - LAG_MEMORY_S)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)

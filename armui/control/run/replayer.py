@@ -117,7 +117,7 @@ class Replayer(Execution):
         return self.begin(started, replay)
 
     def begin(self, started: Started, replay: Replay) -> Refusal | None:
-        """Do so for any operation of the controller, which has asked its own reasons before."""
+        """Begin a replay for another operation, which has checked its own reasons against it."""
         context = self._context
         refusal = why_not(replay)
         most, self._too_fast = most_percent(replay, context.operating_state())
@@ -215,7 +215,7 @@ class Replayer(Execution):
         self._abort_motion()
         self._publish()
 
-    # What time and the arm bring --------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
         """Send the targets that are due; called at each tick and by a timer of its own."""
@@ -228,7 +228,7 @@ class Replayer(Execution):
         if reason is not None:
             self._fail(reason)
         elif not self._known or (self._phase is RunPhase.MOVING and self._passed is None):
-            pass  # it is waited for, or the gate is still checking the way (S35)
+            pass  # feedback is missing, or the gate still checks the way (S35)
         elif self._phase is RunPhase.STOPPING:
             self._follow_rest(replay)
         elif self._phase is RunPhase.MOVING and self._watch is not None:
@@ -270,7 +270,7 @@ class Replayer(Execution):
 
     def _on_refused(self, refusal: Refusal) -> None:
         if self._phase is not RunPhase.MOVING:
-            return  # it has been ended already
+            return  # the replay was ended meanwhile
         left = self._more_slowly(refusal)
         if left is not None:
             self._fail(left)
@@ -355,7 +355,7 @@ class Replayer(Execution):
 
     def _why_late(self) -> Refusal | None:
         """Return why a stream of targets does not go on after a long pause of the program."""
-        streams = self._watch is None and self._passed is not None  # or the gate still checks it
+        streams = self._watch is None and self._passed is not None  # else the gate still checks it
         if self._phase is not RunPhase.MOVING or not streams:
             return None
         gap_s = self._context.clock() - self._since_s
@@ -369,7 +369,8 @@ class Replayer(Execution):
         if now_s <= self._since_s or command is None:
             return
         if self._context.connection.holds(command.number):
-            # the driver has not sent the last target yet: a second one would leave right behind it
+            # The driver has not sent the last target yet; a second one would be sent right after
+            # it.
             return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
@@ -388,14 +389,14 @@ class Replayer(Execution):
             self._end_cycle(replay)
 
     def _highest_pace(self, now_s: float) -> float:
-        """Return the highest pace of late; the arm may still lag by it."""
+        """Return the highest pace within :data:`LAG_MEMORY_S`, by which the arm may still lag."""
         self._paces.append((now_s, self._pace))
         while self._paces[0][0] < now_s - LAG_MEMORY_S:
             self._paces.popleft()
         return max(pace for _at_s, pace in self._paces)
 
     def _change_pace(self, replay: Replay, gone_s: float) -> None:
-        """Let the recorded time go over to the operator's speed, as fast as the joints can follow.
+        """Ramp the pace of the recorded time to the operator's speed, as the joints can follow.
 
         What was paused comes to a stand, also when the speed was raised again meanwhile.
         """

@@ -53,7 +53,7 @@ class Runner(QObject):
         """Return whether the present run of points, or the last one, goes by these."""
         rows = self._controller.player.rows
         if self._compared[0] is not rows or self._compared[1] is not points:
-            self._compared = rows, points, rows == points  # slow with ten thousand
+            self._compared = rows, points, rows == points  # kept: slow with 10,000 points
         return self._compared[2]
 
     def start(self, checked: Preflight, speed_percent: int) -> Refusal | None:

@@ -174,7 +174,7 @@ class ModeExitCommand(ControllerPart):
         sent = context.send_motion(
             CommandKind.JOINTS,
             [*frames, *commands.joint_target(codec, angles_deg)],
-            passed=context.gate().ask_no_way(),  # it holds the arm where it is
+            passed=context.gate().ask_no_way(),  # its targets are the present angles
             started=Started("recovery.leave_mode"),
             move_mode=MoveMode.MOVE_J,
             speed_percent=percent,

@@ -81,7 +81,7 @@ class Momentum:
         )
 
     def _aside_deg(self, speed: float, acceleration: float) -> float:
-        """Return how far a joint goes on that must give up a speed."""
+        """Return how far, in degrees, a joint continues until this speed is braked away."""
         if abs(speed) < STILL_DEG_S:
             return 0.0
         fastest = abs(speed) + acceleration * self.late_s

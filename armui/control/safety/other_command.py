@@ -43,7 +43,7 @@ _GONE_AFTER_S: Final = 2.0
 _TAKE_OVER_AFTER_S: Final = 0.5
 """The operator may take over this long after the other host's last motion frame (S13)."""
 _TAKEN_IN_S: Final = 0.3
-"""A status this much later than a mode word was reported after it."""
+"""A status received this long after a mode word already reflects it."""
 _GRIPPER: Final = 0x159
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
@@ -126,7 +126,7 @@ class OtherCommand:
         elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
-        # read late, its first frames are outdated already: they name it all the same
+        # If the program reads late, its first frames are outdated already, but still identify it.
         self._last_series = self.series or self._last_series or motion
         self.mode = self._mode_of(traffic, offsets, state)
         return new

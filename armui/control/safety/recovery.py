@@ -302,7 +302,7 @@ class Recovery(ControllerPart):
         self._pending.drop()
         self._to_clear.clear()
 
-    # How an action fares --------------------------------------------------------------------------
+    # The outcome of an action ---------------------------------------------------------------------
 
     def _follow(self, step: Step, now_s: float) -> Step:
         """Return the step with what has become of the action taken against it."""
@@ -321,7 +321,7 @@ class Recovery(ControllerPart):
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
             started = self._pending.release()
             self._give_up()
-            if attempt.answered:  # a stronger means would take no cause away either
+            if attempt.answered:  # a stronger action would not help either
                 self._in_vain[step.kind] = 0
             else:
                 self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
@@ -344,7 +344,7 @@ class Recovery(ControllerPart):
     def _holds(self, step: Step, now_s: float) -> bool:
         """Return whether a step is to be shown: some states are passed through in a moment.
 
-        Where the arm sinks no line that says less may stand in its place.
+        While the arm sinks, no lesser step is shown instead of that.
         """
         sinks = step.motion is not None and step.motion.is_danger
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind or sinks:

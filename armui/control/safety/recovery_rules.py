@@ -133,7 +133,7 @@ def next_step(
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
         failed=None if failures is None else failed,
-        # an arm that answers and keeps its fault has another way, but none that is advised
+        # If the arm answered but keeps its fault, the stronger action is only the alternative.
         alternative=rule.escalation if failures == 0 else rule.alternative,
         motion=motion,
         locked=operating_state.cannot_move is not None,

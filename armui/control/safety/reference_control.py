@@ -314,7 +314,7 @@ class ReferenceControl(ControllerPart):
         self._keep(replace(self.record, resumes=(*self.record.resumes, entry)[-KEPT:]))
 
     def note_slip(self) -> None:
-        """Leave it at that: the operator has read what slipped at a resume."""
+        """Stop showing what slipped at a resume: the operator has read it."""
         self._slipped = ""
         self._context.refresh()
 
@@ -355,7 +355,7 @@ class ReferenceControl(ControllerPart):
             self._context.tell(REFERENCE_CHECK_LEFT)
             self._context.refresh()
 
-    # What the arm shows -----------------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
         """Judge what was reported; called at each tick while a device is open."""

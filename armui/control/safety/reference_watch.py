@@ -121,7 +121,7 @@ class _Suspicion:
 
 
 class _Joint:
-    """The range one joint may be in: from its place to every target given since it stood."""
+    """The allowed range of one joint: from where it stood to every target sent since."""
 
     def __init__(self) -> None:
         self.between: tuple[float, float] | None = None
@@ -139,7 +139,7 @@ class _Joint:
             self.between = min(low, target_deg), max(high, target_deg)
 
     def settle(self) -> None:
-        """Take where it stands for its place; what it was pushed beyond that is not."""
+        """Take the joint's angle, clipped to its allowed range, as its new place."""
         if self.last is None or self.suspicion is not None:
             return
         angle = self.last[1]
@@ -151,7 +151,7 @@ class _Joint:
         at_s, angle_deg = report.at_s, report.angle_deg
         before, self.last = self.last, (at_s, angle_deg)
         if before is None or not report.in_time:
-            # the first report, or a late one, proves nothing: the next one shows whether it stays
+            # A first or late report is no evidence of a jump; the next one is compared with it.
             return
         place_deg = before[1]
         since_s = max(0.0, at_s - before[0])

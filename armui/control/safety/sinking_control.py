@@ -1,4 +1,4 @@
-"""Tells the operator as long as the arm moves though no motor holds it or nothing told it to."""
+"""Reports to the operator while the arm moves without power or without a command."""
 
 from __future__ import annotations
 
@@ -93,13 +93,13 @@ ARM_UNHEARD_MOVING = Notice(
 FURTHER_MM: Final = 50
 FURTHER_DEG: Final = 10.0
 FURTHER_S: Final = 2.0
-"""A further distance is told when it is this long, and not more often than that."""
+"""Further distances are reported at intervals of at least this time."""
 
 _LOOKED_BELOW_S: Final = 1.0
 _UNTOLD: Final = frozenset(
     {Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.OWN_REPLAY, Unheld.LED}
 )
-"""Where the event of the stop or the replay says it, or a hand may lead: shown, and no event."""
+"""Causes that are shown without an event: the stop or the replay has one, or a hand may lead."""
 
 
 class SinkingControl(ControllerPart):
@@ -232,10 +232,10 @@ class SinkingControl(ControllerPart):
             self._looked_s, self._below_now = now_s, self._look_below()
         return self._below_now
 
-    # What is told -----------------------------------------------------------------------------
+    # Notices ----------------------------------------------------------------------------------
 
     def _tell_events(self) -> None:
-        """Tell that it begins, each further distance worth it, and the whole of it at the end."""
+        """Report the beginning, each further distance worth an event, and the whole at the end."""
         watch = self._watch
         if watch.ended is not None:
             (whole, at_rest), watch.ended = watch.ended, None
@@ -286,6 +286,6 @@ def _begins(motion: UncommandedMotion) -> Notice:
 
 
 def _is_further(motion: UncommandedMotion, told: UncommandedMotion) -> bool:
-    """Return whether the arm has come far enough since it was told last."""
+    """Return whether the arm has moved far enough since the last report."""
     turned = abs(motion.turned_deg - told.turned_deg) >= FURTHER_DEG
     return turned or abs(motion.down_mm - told.down_mm) >= FURTHER_MM

@@ -140,7 +140,7 @@ class SessionRecorder(QObject):
         context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
-    # What there is ----------------------------------------------------------------------------
+    # State ------------------------------------------------------------------------------------
 
     @property
     def recording(self) -> bool:
@@ -293,7 +293,7 @@ class SessionRecorder(QObject):
             self._ring.clear()
         return ended
 
-    # What happens -----------------------------------------------------------------------------
+    # Events and the collecting thread ---------------------------------------------------------
 
     def look(self) -> None:
         """Take in the events; called by its own timer, four times a second."""
@@ -315,7 +315,7 @@ class SessionRecorder(QObject):
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
-            self._ring.clear()  # another bus: its frames do not belong to those
+            self._ring.clear()  # another bus: its frames must not mix
         self._device = report.device
         self._timer.start()
 
@@ -375,7 +375,7 @@ class SessionRecorder(QObject):
         self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
-        """Let its last frames be written; what failed is over already."""
+        """End the recording once its last frames are written; a failed one has ended already."""
         if self._episodes is not None:
             self._episodes.end_log()
         self._recording = None
