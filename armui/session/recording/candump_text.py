@@ -31,5 +31,5 @@ def candump_text(parts: Sequence[FrameRows], base: TimeBase, channel: str) -> by
         shifted = FrameRows(table, rows.long_data)
         for begin in range(0, len(shifted), _ROWS_AT_ONCE):
             blocks.append(lines.block(shifted.part(begin, begin + _ROWS_AT_ONCE), 0))
-            time.sleep(0)  # let threads that wait for Python's lock run first
+            time.sleep(0)  # releases the GIL, so that other threads are not held up
     return b"".join(blocks)
