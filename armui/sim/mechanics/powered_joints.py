@@ -175,6 +175,6 @@ class JointMotion:
         plan = Trajectory(JOINT_COUNT)
         try:
             result = self._planner.calculate(request, plan)
-        except (RuckigError, ValueError):  # ValueError: a result code the binding has no name for
+        except (RuckigError, ValueError):  # ValueError: an unnamed result code
             return None
         return plan if result in (Result.Working, Result.Finished) else None

@@ -16,10 +16,7 @@ from armui.sim.parameters.settings import ArmSettingsRecord
 
 Leg = SixValues | PathMotion | Callable[[SixValues], PathMotion | None]
 """A part of a motion: six target angles, a path, or a function that plans one from the present
-joint angles. It returns None if there is no path left.
-
-A planner that returns None says that there is no way left to go.
-"""
+joint angles. It returns None if the arm has no way left to go."""
 
 _NOTHING: Final = object()
 
