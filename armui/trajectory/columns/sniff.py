@@ -111,9 +111,9 @@ def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...]
 
 
 def _spread(lines: Sequence[str]) -> list[str]:
-    """Some lines from everywhere, in their order, without comments and empty ones.
+    """Return some lines of all parts of the text, without comments and empty ones.
 
-    Of very long lines fewer: they say as much, and take as long.
+    Fewer lines are taken if they are very long, to limit the time.
     """
     step = max(1, len(lines) // _LOOKED_AT)
     found: list[str] = []

@@ -196,7 +196,7 @@ class Bin:
     def _tidy(self, place: Path) -> None:
         """Remove the folder of a deletion once nothing of it is left."""
         room = self._folder / place.relative_to(self._folder).parts[0]
-        with contextlib.suppress(OSError):  # something else is still there
+        with contextlib.suppress(OSError):  # it is not empty
             if not _files(room):
                 (room / _DUE).unlink(missing_ok=True)
             _remove_empty(room)

@@ -91,7 +91,7 @@ _BIN: Final = ".deleted"
 _RECORDINGS: Final = ".recordings"
 _ROOM_FOR_NUMBER: Final = 8
 _MOMENT_S: Final = 0.2
-"""So long others wait for estimates of trajectories."""
+"""The longest time that estimates hold up other users of the library."""
 
 
 class LibraryError(Exception):
@@ -157,7 +157,8 @@ class Library:
         self._met: dict[str, Stamp] = {}
         """The files as they were loaded to be edited, by the name of what they hold."""
         self._bases: dict[str, datetime] = {}
-        """When what was loaded to be edited, or saved, had been changed: drafts are based on it."""
+        """The time of change of each trajectory when it was loaded to be edited or saved; drafts
+        refer to it."""
 
     def tidy(self) -> None:
         """Remove half-written files of killed programs, and what was deleted long ago."""
@@ -472,7 +473,7 @@ class Library:
         free = self.free_name(name)
         folder = self._place_for(file.rpartition("/")[0])
         if free != name:
-            with contextlib.suppress(TrajectoryFileError):  # a damaged one stays as it is
+            with contextlib.suppress(TrajectoryFileError):  # a damaged draft is left unchanged
                 self._write(replace(files.load(place), name=free), None, folder)
                 self._bin.remove(place)
                 return free

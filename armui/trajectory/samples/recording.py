@@ -43,7 +43,7 @@ _SPEED_OVER_S: Final = 0.1
 _COMES_AFTER_S: Final = 0.13
 _WITH_THE_WORST: Final = 0.3
 _LASTS_S: Final = 0.3
-"""So long before and after a change of speed the arm may be off the way."""
+"""The time before and after a change of speed in which the arm may be off the way."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
