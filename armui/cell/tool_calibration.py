@@ -209,7 +209,7 @@ def _touching(flange: Pose, point: Array) -> Array:
 def _orientation(forward: Array, near_x: Array) -> tuple[float, float, float]:
     """Return the orientation with a given Z, whose X is as near as possible to a direction."""
     x = near_x - (near_x @ forward) * forward
-    if np.linalg.norm(x) < 1e-6:  # it is along Z, so any X will do: this one keeps the flange's Y
+    if np.linalg.norm(x) < 1e-6:  # parallel to Z: take an X that keeps the flange's Y
         x = np.cross(np.array((0.0, 1.0, 0.0)), forward)
     x /= np.linalg.norm(x)
     matrix = np.eye(4)
