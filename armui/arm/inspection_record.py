@@ -1,4 +1,4 @@
-"""What joint inspections and resumes have found of an arm, and what stands out in it."""
+"""The findings of joint inspections and resumes of an arm, and which of them are notable."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
 
 KEPT: Final = 10
-"""So many inspections, and so many resumes, are kept of each arm."""
+"""The number of inspections, and of resumes, that are kept of each arm."""
 SLIP_DEG: Final = 1.0
-"""A slip at a resume is said from here on."""
+"""A slip at a resume is reported from this angle on."""
 _LONGEST_TEXT: Final = 64
 _MOST: Final = 1e4
 
@@ -124,11 +124,11 @@ def _read_figures(entry: object) -> JointFigures | None:
     return JointFigures(behind_deg, bears_a, **found)
 
 
-# What stands out ----------------------------------------------------------------------------------
+# Notable figures ----------------------------------------------------------------------------------
 
 
 class JointSign(enum.StrEnum):
-    """What may stand out of a joint; each is a figure of `JointFigures`."""
+    """The figures of `JointFigures` that may be notable."""
 
     BEHIND = "behind_deg"
     CURRENT = "current_a"
@@ -138,7 +138,7 @@ class JointSign(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class JointFinding:
-    """A figure of a joint that stands out.
+    """A notable figure of a joint.
 
     Attributes:
         joint: The joint (1–6).
@@ -168,15 +168,16 @@ _AGAINST_PEERS: Final = {
     JointSign.MOTOR: (1.0, 15.0),
     JointSign.DRIVER: (1.0, 15.0),
 }
-"""A figure stands out above so many times that of its peers, and this much more."""
+"""A figure is notable above this factor times its peers', plus this offset."""
 _AGAINST_EARLIER: Final = {JointSign.BEHIND: (1.3, 0.1), JointSign.CURRENT: (1.5, 0.1)}
-"""The same against what the joint showed earlier; its warmth depends on the work before."""
+"""The same against the joint's earlier figures; not temperatures, which depend on the work
+before."""
 _SAME_SPEED: Final = 1.25
 """An inspection at a speed that differs by a greater factor is not compared."""
 
 
 def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[JointFinding, ...]:
-    """Return what stands out, joint by joint: beside the other joints, and beside earlier times."""
+    """Return the notable figures by joint, compared with other joints and earlier inspections."""
     before = [each for each in earlier if _alike(each.speed_deg_s, now.speed_deg_s)]
     found = []
     for joint in JOINTS:

@@ -39,7 +39,7 @@ _SPEEDS: Final = {"known": False, "assumed": True}
 Rising = tuple[float, float, float, float]
 """How much the X, Y and Z axis of the base rise in the room, and the base's height there, mm."""
 STANDING: Final[Rising] = (0.0, 0.0, 1.0, 0.0)
-"""Of a base that stands upright on the floor."""
+"""The rise of a base that stands upright on the floor."""
 
 
 class ModelFileError(Exception):

@@ -229,7 +229,7 @@ def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) ->
     return quirks
 
 
-# What an arm says of itself in the answer to 0x4AF: eleven frames of text, joined (generation 2) -
+# The arm's identity in its answer to 0x4AF: eleven frames of text, joined (generation 2) -
 #
 # The frames have no number: one that is lost, or another answer in between, shifts the text, so
 # nothing is looked for by its place alone.
@@ -370,9 +370,9 @@ class AnswerCollector:
 
 
 def _less(found: ArmIdentity, known: ArmIdentity | None, *, whole: bool) -> bool:
-    """Return whether it says less than what is known of the same version: an answer is under way.
+    """Return whether it has less than is known of the same version: the answer is incomplete.
 
-    Other words for the same version count once the answer is whole: a lost frame shifts them.
+    Other texts for the same version count once the answer is whole: a lost frame shifts them.
     """
     if known is None or found.software != known.software:
         return False
