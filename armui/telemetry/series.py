@@ -176,7 +176,7 @@ def _merged(
     lows: Sequence[NDArray[Any]],
     highs: Sequence[NDArray[Any]],
 ) -> tuple[NDArray[np.int64], Sequence[NDArray[Any]], Sequence[NDArray[Any]]]:
-    """Return what is to be stored: the first bucket may be there already, and has grown."""
+    """Return the buckets to store, the first merged with its stored part, if there is one."""
     if numbers.size > level.numbers.size:  # more than the ring holds
         newest = slice(-level.numbers.size, None)
         numbers = numbers[newest]
@@ -275,7 +275,7 @@ class Series:
         self._pack = layout.pack_into
         self._size = layout.size
         self.write: Callable[[float, Row], None]
-        self.replaced = -1  # there was nothing before the first release
+        self.replaced = -1  # becomes 0 at the first release
         self.release()
 
     def release(self) -> None:

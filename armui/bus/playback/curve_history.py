@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from armui.telemetry.series_columns import FrameColumns
     from armui.telemetry.store import Telemetry
 
-# Between a replay and the series of its curves: frame by frame, or many frames at once.
+# Feeds the series of a replay's curves, frame by frame or many frames at once.
 
 COMMAND_IDS = frozenset(MOTION_IDS | OTHER_COMMAND_IDS)
 """The identifiers of commands to the arm. If the recording program has sent such a frame, it was
@@ -181,7 +181,7 @@ class CurveHistory:
         listener = SeriesListener(self.telemetry)
         try:
             self.is_whole = fill(listener, self._cursor, self.begin_s, self.end_s, self._goes_on)
-        except Exception:  # noqa: BLE001 - whatever is wrong with a file: what is near is shown
+        except Exception:  # noqa: BLE001 - a damaged file: the curves near the place are shown
             _LOG.exception("The curves of a log could not be read")
         self.is_over = True
         if self._wanted:
