@@ -1,4 +1,4 @@
-"""What the program and the process that serves the live stream tell each other: data."""
+"""The messages between the program and the process that serves the live stream: data."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class LiveArm:
 
 @dataclass(frozen=True, slots=True)
 class LiveState:
-    """How the process is.
+    """The state of the process.
 
     Attributes:
         on: True while it serves.
@@ -78,7 +78,7 @@ class LiveView:
     """What the window shows of the live stream.
 
     Attributes:
-        state: How its process is.
+        state: The state of its process.
         address: Where it is served: host and port.
         for_others: True if other computers can watch.
         lost: The number of frames dropped because its process did not take them.
