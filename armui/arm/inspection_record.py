@@ -67,13 +67,13 @@ class ResumeEntry:
 
     @property
     def slipped(self) -> dict[int, float]:
-        """The joints (1–6) that slipped by what is to be said, each with its degrees."""
+        """The joints (1–6) that slipped by at least :data:`SLIP_DEG`, each with its degrees."""
         found = zip(JOINTS, self.slips_deg, strict=True)
         return {joint: deg for joint, deg in found if deg is not None and abs(deg) >= SLIP_DEG}
 
     @property
     def text(self) -> str:
-        """What slipped, as ``J1 -5.0°, J2 +1.0°``; empty if nothing did."""
+        """The slips as text, like ``J1 -5.0°, J2 +1.0°``; empty if nothing slipped."""
         return ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in self.slipped.items())
 
 

@@ -324,8 +324,7 @@ class ArmModel:
         held: What the hand holds.
         frames: The names of the cell's user frames, and their poses in the base.
         rising: How much each axis of the base rises in the room, and the base's height there, mm.
-        around: What a check looks at beside the arm, as text: work area and lowest height; "" for
-            nothing.
+        around: The work area and the lowest height of checks, as text; "" for neither.
     """
 
     limits: tuple[JointLimits, ...]

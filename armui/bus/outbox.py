@@ -330,7 +330,7 @@ class Outbox:
                 port.driver.release()
 
     def _next(self, port: _Port) -> tuple[Frame | None, _Batch | None]:
-        """Return what is to be sent next, and its batch; it stays queued until it is out."""
+        """Return the next frame to send, and its batch; it stays queued until it was sent."""
         with self._changed:
             if self._port is not port:
                 return None, None

@@ -160,7 +160,7 @@ class _Way:
         return np.append(places, self.last)
 
     def parts(self, begins: Array, ends: Array) -> _Parts:
-        """Return what is between some places and others."""
+        """Return the parts of the way between pairs of places."""
         first, last = self.poses(begins), self.poses(ends)
         strays = np.zeros((len(begins), JOINT_COUNT))
         long = np.flatnonzero(ends - begins > 1.0)

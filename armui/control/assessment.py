@@ -26,7 +26,7 @@ def assess(
     offsets: OffsetFollower,
     now_s: float,
 ) -> OperatingState:
-    """Return what the operator can do.
+    """Return the operating state: the actions open to the operator, and the reasons against others.
 
     Args:
         state: The arm as last heard.

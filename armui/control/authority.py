@@ -375,7 +375,7 @@ class Authority:
 
     @property
     def most_percent(self) -> int:
-        """The highest speed, in %, that what the arm does may be given: some ways are slow."""
+        """The highest speed, in %, that the present motion may be given; some are capped."""
         command, seen = self.command, self._seen
         status = None if seen is None else seen.state.status
         arrived = not self.under_way and status is not None and status.value.reached
@@ -577,7 +577,7 @@ class Authority:
         self._number += 1
 
     def _slow_down(self, percent: int, now_s: float) -> None:
-        """Give a line or an arc the time to brake: until then it may be as fast as it was."""
+        """Allow a line or an arc its former speed for the time that it takes to brake."""
         command = self.command
         if command is None or command.pace is None:
             return

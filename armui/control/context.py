@@ -229,7 +229,7 @@ class Context:
         return further
 
     def cancel_frames(self) -> list[Frame]:
-        """Return what drops another host's motion that the arm may hold back (0x150 byte 1 = 6).
+        """Return frames that drop another host's motion held back in the arm (0x150 byte 1 = 6).
 
         It precedes each 0x151 that would set such a motion going.
         """

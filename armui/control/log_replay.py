@@ -152,7 +152,7 @@ class LogReplay(QObject):
 
     @property
     def position_s(self) -> float:
-        """The log time that is shown or is being gone to."""
+        """The log time that is shown, or that the replay is going to."""
         return self.clock() if self._going_to is None else self._going_to
 
     @property
@@ -172,7 +172,7 @@ class LogReplay(QObject):
 
     @property
     def last_frame(self) -> ReplayedFrame | None:
-        """The frame that was taken in last."""
+        """The frame that was processed last."""
         return None if self._worker is None else self._worker.last
 
     @property

@@ -61,7 +61,7 @@ def doctor_files(text: str, as_json: str) -> list[ReportFile]:
 def collect(
     found: Sequence[ReportFile], settings: Path | None = None, logs: Path | None = None
 ) -> tuple[ReportFile, ...]:
-    """Return what was found, with versions, settings and logs; waits for the disk.
+    """Return the findings with versions, settings and logs as files; waits for the disk.
 
     Args:
         found: The findings of the doctor.

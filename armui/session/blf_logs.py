@@ -143,7 +143,7 @@ class ObjectStream:
         return True
 
     def _unpacked(self, body: bytes, place: int) -> Iterator[bytes]:
-        """Return what a container holds, as far as it can be unpacked."""
+        """Return the content of a container, as far as it can be unpacked."""
         if len(body) < _CONTAINER.size:
             return
         method, _size = _CONTAINER.unpack_from(body)

@@ -1,4 +1,4 @@
-"""Rewrites what candump shows on a screen, as it was pasted or saved, as lines of ``candump -L``.
+"""Rewrites candump's output on a screen, as it was pasted or saved, as lines of ``candump -L``.
 
 Source: candump.c and lib.c of can-utils; with its options -t, -N, -c, -i, -a, -S, -d, -e, -8, -x.
 """

@@ -69,7 +69,7 @@ class LogSource:
         return self.taken if self.is_pipe else self._raw.tell()
 
     def peek(self) -> bytes:
-        """Return what comes first through a pipe; it is read again."""
+        """Return the first bytes of a pipe; they will be read again."""
         try:
             self._ahead = self._ahead or cast("io.BufferedReader", self._stream).read1(_BLOCK)
         except READ_ERRORS as error:

@@ -297,7 +297,7 @@ class _Lines:
             self._builder.pauses = True
 
     def look_for_end(self) -> None:
-        """Give up on a file that has held nothing readable for long.
+        """Raise an error if the file has held nothing readable for too long.
 
         Raises:
             NonsenseError: Nothing was readable from the beginning on.

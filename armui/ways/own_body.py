@@ -258,7 +258,7 @@ def _pairs(
 
 
 def _carried(arm: Links, tool: ToolCapsule | None, held: HeldShape | None) -> Iterator[_Capsule]:
-    """Return what is fixed to the flange beside the gripper."""
+    """Return the capsules fixed to the flange beside the gripper."""
     if tool is not None:
         begin, end = (
             _in_flange(arm, [share * part for part in tool.tip_mm]) for share in tool.ends

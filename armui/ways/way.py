@@ -135,7 +135,7 @@ def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]
 
 
 def rest_of(way: Way, begin_deg: Sequence[float]) -> Way:
-    """Return what is left of a way for an arm that stands at six angles on it."""
+    """Return the rest of a way for an arm that stands at six angles on it."""
     begin = np.array(begin_deg, dtype=float)
     nearest = int(np.abs(way.joints_deg - begin).max(axis=1).argmin())
     ahead = way.joints_deg[min(nearest + 1, len(way.joints_deg) - 1) :]

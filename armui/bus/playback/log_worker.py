@@ -112,7 +112,7 @@ class LogWorker(QThread):
 
     @property
     def state(self) -> ArmState:
-        """The arm as heard; see `BusWorker.state`."""
+        """The arm's state; see `BusWorker.state`."""
         return self._player.processor.state
 
     @property

@@ -118,7 +118,8 @@ class AreaGuard(ControllerPart):
         return tuple(each for each in self.look(state) if check.is_too_near(each))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
-        """Return where the measured arm is too near to its area most, or ``None``."""
+        """Return the place where the measured arm is too near to its area, if any: the worst
+        one."""
         entered = self.entered(state)
         if not entered:
             return None

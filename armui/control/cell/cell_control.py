@@ -161,7 +161,7 @@ class CellControl(ControllerPart):
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
     def holding(self) -> CellInForce:
-        """Return what of a cell is in force; without one the tool of the settings."""
+        """Return the parts of the cell in force; without a cell the tool of the settings."""
         cell = self.in_force
         return CellInForce(tool=Tool("", self._own_tool)) if cell is None else cell_in_force(cell)
 
@@ -219,32 +219,32 @@ class CellControl(ControllerPart):
         self._context.tell(CELL_PROBLEM, reason=reason)
 
     def propose(self, frame: UserFrame | None) -> None:
-        """Have a user frame shown that is not taken yet, or none any more."""
+        """Show a user frame as a candidate before it is taken; ``None`` shows none any more."""
         if frame != self.candidate:
             self.candidate = frame
             self._announce(self.cell)
 
     def begin_device(self, device: Device) -> None:
-        """A device is opened: its own cell is to be confirmed before anything moves."""
+        """Choose the cell kept for a device being opened; nothing moves before it is confirmed."""
         self._device = device
         self._name = "" if self.store is None else self.store.kept(device.arm_key())
         self.forget_arm()
 
     def end_device(self) -> None:
-        """The device was closed by the operator: the cell stays chosen."""
+        """Note that the operator has closed the device; the cell stays chosen."""
         self._device = None
         self.use_own_tool(self._wanted_tool)
 
     def forget_arm(self) -> None:
-        """Have the cell confirmed again: what is heard next may be another arm."""
+        """Require the cell to be confirmed again: the next arm heard may be another one."""
         self._confirmed, self._evidence, self._came_s = False, None, None
         self.arms += 1
         self._take_effect()
 
     def arm_came(self) -> None:
-        """Have the cell confirmed again, unless the arm shows that it is the one of before.
+        """Require the cell to be confirmed again, unless the arm proves to be the former one.
 
-        Until it has answered nothing moves.
+        Nothing moves until the arm has answered.
         """
         in_force = self.confirmed or self._came_s is not None
         self._confirmed, self._came_s = False, None
@@ -396,7 +396,7 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def follow_arm(self) -> None:
-        """Look at what another program keeps, whether it is the arm of before, at the gripper."""
+        """Follow other programs' choice of the cell, the arm's identity, and the gripper."""
         self._follow_kept()
         if self._wanted_tool != self._own_tool:
             self.use_own_tool(self._wanted_tool)
@@ -404,7 +404,7 @@ class CellControl(ControllerPart):
         self._follow_gripper()
 
     def _follow_gripper(self) -> None:
-        """Say that the gripper has opened although something is marked as held."""
+        """Warn when the gripper has opened although an object is marked as held."""
         cell, gripper = self.cell, self._context.state().gripper
         opening_mm = None if gripper is None else gripper.value.opening_mm
         if cell is None or not cell.held or opening_mm is None:

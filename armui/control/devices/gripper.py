@@ -257,7 +257,7 @@ class GripperControl(RequestingPart[str]):
         return self._shown(gripper.travel, gripper.unit)
 
     def heading(self, unit: str) -> float | None:
-        """Return where the gripper is being sent, or else stands, calibrated.
+        """Return the gripper's target while it moves, else its place; calibrated.
 
         One that holds something is still being sent beyond it: that is what it holds with. ``None``
         if it is not told in this unit.
@@ -288,7 +288,7 @@ class GripperControl(RequestingPart[str]):
         return replace(action, opening_mm=self._asked(action.opening_mm, _MM))
 
     def _asked(self, travel: float, unit: str) -> float:
-        """Return what to ask the arm for, within its own stroke."""
+        """Return the opening to command, within the arm's own stroke."""
         table = self._table_of(unit)
         if table is None:
             return travel

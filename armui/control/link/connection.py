@@ -294,7 +294,7 @@ class Connection(QObject):
         return not self._ending
 
     def _on_ended(self) -> None:
-        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        """Drop the threads that have ended; Qt aborts if a running one is destroyed."""
         for worker in [one for one in self._ending if one.isFinished()]:
             worker.wait()  # the signal comes a moment before the thread has ended
             self._ending.remove(worker)
@@ -302,7 +302,7 @@ class Connection(QObject):
 
     @property
     def newest(self) -> ArmState:
-        """The arm as heard up to this moment, for any thread; newer than at the last tick."""
+        """The arm's state up to this moment, newer than at the last tick; for any thread."""
         worker = self._worker
         return ArmState() if worker is None else self._understood(worker.state)
 
@@ -313,7 +313,7 @@ class Connection(QObject):
 
     @property
     def traffic(self) -> OtherTraffic:
-        """The same with the frames sent by hand from here, which count as another host's."""
+        """The frames of other hosts, with those sent by hand from here, which count as such."""
         return self.heard_traffic.joined(self._by_hand.traffic())
 
     def note_by_hand(self, frame: Frame) -> None:

@@ -70,7 +70,7 @@ def clearing_frames(context: Context) -> list[Frame]:
 
 
 def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
-    """Have the arm end its motion where it is, powered, and drop its target (0x150).
+    """End the arm's motion where it is, with power on, and drop its target (0x150).
 
     It goes ahead of everything that waits: half a target must not follow it. Return whether
     it is on the bus.

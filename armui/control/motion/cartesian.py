@@ -379,7 +379,7 @@ class Cartesian(ControllerPart):
         return off_mm > _AWAY_MM or off_deg > _ARRIVED_DEG
 
     def _base(self, measured: Matrix) -> Matrix:
-        """Return where a step of the tool starts from."""
+        """Return the pose from which a step of the tool starts."""
         authority = self._context.authority
         asked = authority.tool_base()
         if asked is None or authority.under_way:

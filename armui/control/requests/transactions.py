@@ -216,7 +216,7 @@ class TransactionQueue(ControllerPart):
             task.transaction.finished(reason)
 
     def _set_reading_aside(self) -> None:
-        """Let a new action pass what is only being read; it is asked for again afterwards."""
+        """Interrupt a reading for a new action; the question is asked again afterwards."""
         task = self._task
         new = any(waiting.begin_by_s is not None for waiting in self._commands)
         if new and task is not None and task.phase is _Phase.READING:

@@ -184,7 +184,7 @@ class Execution(QObject, ControllerPart):
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:
-        """Have the arm end its motion and stay powered; wait until it rests."""
+        """End the arm's motion with power on, and wait until it rests."""
         self._hold.drop()
         abort_motion(self._context)
         self.aborted.emit()
@@ -208,7 +208,7 @@ class Execution(QObject, ControllerPart):
         self._hold_untold = True
 
     def _tell_hold(self) -> None:
-        """Tell once that the arm holds, as soon as it is measured at rest since the pause."""
+        """Report once that the arm holds, as soon as it is measured at rest after the pause."""
         if self._hold_untold and self._rests():
             self._hold_untold = False
             self._context.tell(PAUSE_HOLDS)
@@ -227,7 +227,7 @@ class Execution(QObject, ControllerPart):
         return self.speed_percent / 100.0
 
     def _let_go_on(self, percent: int) -> Refusal | None:
-        """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.
+        """Continue the motion held back in the arm (0x150 byte 1 = 2), no faster than shown.
 
         Args:
             percent: The speed, sent first if the arm has another one.

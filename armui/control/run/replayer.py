@@ -181,7 +181,7 @@ class Replayer(Execution):
         return None
 
     def why_not_at(self, percent: int) -> Refusal | None:
-        """Return what stands against more than the highest speed that was checked, or ``None``."""
+        """Return the reason against a speed above the highest one that was checked, or ``None``."""
         return self._too_fast if percent > self._most_percent else None
 
     def set_speed(self, percent: int) -> None:
@@ -326,7 +326,7 @@ class Replayer(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
-        """Have targets followed at full speed from now on: the recording says how fast."""
+        """Switch to streaming targets at full speed: the recording sets the pace."""
         replay = self._replay
         if replay is None:
             return

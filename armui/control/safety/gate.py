@@ -315,7 +315,7 @@ class Gate(ControllerPart):
         return ways_inside(measured_deg, rules)
 
     def stream(self) -> StreamCheck:
-        """Return what checks the setpoints of a new jog."""
+        """Return the object that checks the setpoints of a new jog."""
         return StreamCheck(self)
 
     def _let_through(self, judged: Judgement, way: Way) -> Pass:
@@ -325,7 +325,7 @@ class Gate(ControllerPart):
     def room_to_swing(
         self, begin_deg: Sequence[float], amplitude_deg: float
     ) -> Future[tuple[Swing, ...]] | None:
-        """Have a thread find how far each joint may swing; nothing is sent, or noted.
+        """Start a thread that finds how far each joint may swing; nothing is sent or noted.
 
         Args:
             begin_deg: Where the arm rests.

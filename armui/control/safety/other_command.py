@@ -232,5 +232,5 @@ def _shown(state: ArmState, now_s: float) -> OtherMode | None:
 
 
 def _has_left(status: Status) -> bool:
-    """Tell whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
+    """Return whether the arm reports to have left the mode that a mode word with MOVE J set."""
     return status.control_mode != ControlMode.CAN_CONTROL or status.move_mode != MoveMode.MOVE_J

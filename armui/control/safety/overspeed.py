@@ -225,7 +225,7 @@ def tool_pace(
 def _shown_deg_s(
     state: ArmState, percent: int, factory: Sequence[JointLimits]
 ) -> tuple[float, ...]:
-    """Return what the speed shown means for each joint."""
+    """Return the speed of each joint, in °/s, that the shown percentage allows."""
     highest = (
         limits.value if limits is not None and plausible(limits.value) else stands_in
         for limits, stands_in in zip(state.limits, factory, strict=True)

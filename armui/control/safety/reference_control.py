@@ -426,7 +426,7 @@ class ReferenceControl(ControllerPart):
         context.refresh()
 
     def _recall(self, memory: ReferenceMemory, key: str) -> ReferenceRecord | None:
-        """Return what is kept of the arm; of a simulated one that began just now only its pose."""
+        """Return the arm's kept record; of a simulated arm that has just started only its pose."""
         kept = memory.get(key)
         if not self._is_simulated:
             return kept
@@ -451,7 +451,7 @@ class ReferenceControl(ControllerPart):
         return self._wall().isoformat(timespec="seconds")
 
     def _watched(self, now: OperatingState, now_s: float, *, stalled: bool) -> WatchedArm:
-        """Return what the watch must know beside the angles."""
+        """Return the facts that the watch needs beside the angles."""
         context = self._context
         authority, state = context.authority, context.connection.newest
         command, status = authority.command, state.status
@@ -493,5 +493,5 @@ class ReferenceControl(ControllerPart):
 
 
 def _lasting(record: ReferenceRecord) -> ReferenceRecord:
-    """Return what of a simulated arm's record outlives it: the operator's pose and photo."""
+    """Return the part of a simulated arm's record that is kept: the operator's pose and photo."""
     return ReferenceRecord(pose_deg=record.pose_deg, photo=record.photo)

@@ -141,7 +141,7 @@ class SinkingControl(ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Look at what is heard; called at each tick while a device is open."""
+        """Evaluate the feedback; called at each tick while a device is open."""
         context = self._context
         device = context.connection.device
         if device is None:
@@ -226,7 +226,7 @@ class SinkingControl(ControllerPart):
         return sum(heights_mm) / len(heights_mm)
 
     def _below(self) -> str:
-        """Return what is below, looked at once a second: it asks every part of the area."""
+        """Return the names of what is below; found once a second, as it checks all of the area."""
         now_s = self._context.clock()
         if now_s - self._looked_s >= _LOOKED_BELOW_S:
             self._looked_s, self._below_now = now_s, self._look_below()

@@ -72,12 +72,12 @@ class SessionRecording:
 
     @property
     def name(self) -> str | None:
-        """The name, once the folder was found writable."""
+        """The recording's name; ``None`` until its folder was found writable."""
         return None if self._writer is None else self._writer.name
 
     @property
     def path(self) -> Path | None:
-        """The first file, likewise."""
+        """The recording's first file; ``None`` until it exists."""
         return None if self._writer is None else self._writer.path
 
     @property

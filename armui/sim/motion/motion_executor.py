@@ -196,7 +196,7 @@ class MotionExecutor:
         self._mechanics.brake(self._settings.accelerations_deg_s2)
 
     def _conditions(self) -> tuple[object, ...]:
-        """Return what the outcome of an order depends on."""
+        """Return the facts an order's outcome depends on: once they change, it is tried again."""
         settings = self._settings
         return (
             self._mechanics.positions_deg,

@@ -58,7 +58,7 @@ def _value(event: Any, events: Iterator[yaml.Event]) -> Any:
 
 
 def _scalar(text: str) -> Any:
-    """Return what stands without quotation marks: a number, a word or a text."""
+    """Return the value of a scalar without quotation marks: a number, a word or a text."""
     try:
         return int(text)
     except ValueError:

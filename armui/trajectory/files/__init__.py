@@ -90,7 +90,7 @@ def load(path: Path) -> Content:
 
 
 def load_with_origin(path: Path) -> tuple[Content, PosesOf]:
-    """Return what :func:`load` returns, and what the poses in the file are of.
+    """Return the result of :func:`load`, and the tool and frames of the poses in the file.
 
     Raises:
         TrajectoryFileError: As in :func:`load`.

@@ -218,7 +218,7 @@ def _due_since(room: Path, now: datetime) -> datetime:
 
 
 def _files(room: Path) -> list[Path]:
-    """Return what is in a folder and its sub-folders; nothing if somebody has removed it."""
+    """Return the files of a folder and its sub-folders; none if it has been removed."""
     try:
         found = list(room.iterdir())
         for folder in filter(is_real_folder, list(found)):

@@ -136,7 +136,7 @@ class FileStore:
         return stamp
 
     def note_moved(self, moves: Iterable[tuple[Path, Path]]) -> None:
-        """Let what is known of files follow them to where they were moved.
+        """Move the entries of files that were moved.
 
         Args:
             moves: The old and the new path of each.
@@ -178,7 +178,7 @@ class FileStore:
         return found
 
     def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
-        """Return what is known of a file; it is opened only where it is not the one known."""
+        """Return the entry of a file, which is opened only if it is new or has changed."""
         key = self._key(path)
         entry = self._index.entry(key, stamp)
         if entry is None:
