@@ -41,6 +41,7 @@ HEARD_S: Final = 0.5
 _QUESTIONS: Final = 3
 """The frames that must have gone out into the silence, questions of ours included."""
 _QUESTION_S: Final = 0.5
+"""The interval of questions to a silent bus."""
 _DEAF_S: Final = 2.0
 """After this silence an adapter that sends and reports no error counts as deaf."""
 

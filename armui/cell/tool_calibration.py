@@ -48,6 +48,7 @@ MOST_POSES: Final = 12
 WANTED_DEG: Final = 15.0
 """Each axis of the flange should have pointed this far apart."""
 WORST_CONDITION: Final = 1000.0
+"""Above this condition number the poses are too much alike to determine a tip."""
 DEFAULT_LIMIT_MM: Final = 1.0
 _LEAST_OFF_MM: Final = 5.0
 _RANK: Final = 6

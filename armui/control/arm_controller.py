@@ -68,6 +68,7 @@ QUESTION_WITHDRAWN = Notice(
 _TICK_MS: Final = 33
 """The period of the timer that takes in the feedback and advances everything under way."""
 _SENT_WITHIN_S: Final = 0.15
+"""At its end the program waits this long for queued frames, such as an abort, to be sent."""
 _END_S: Final = 1.0
 """At the end of the program it waits this long for the device and for a search."""
 
@@ -264,6 +265,8 @@ class ArmController(ControllerParts):
         self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
+        # Parts are created at first use, so only those in `vars` exist; the others have nothing to
+        # end.
         written = "sessions" not in vars(self) or self.sessions.end()
         unread = "gamepad" not in vars(self) or self.gamepad.end()
         self.gate.end()

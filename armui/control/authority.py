@@ -76,6 +76,7 @@ _REPLAY_SHOWS_S: Final = 1.5
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
 _CANCEL_AGAIN_S: Final = 0.3
+"""If the arm still moves this long after a cancel, the cancel is sent again: it may be lost."""
 _MOVING_FRESH_S: Final = 0.05
 """The angles of a moving arm are too old to set out from after this time."""
 

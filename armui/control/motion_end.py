@@ -31,6 +31,7 @@ _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
 """The end of the program waits at most so long for the arm to rest."""
 _AGAIN_S: Final = 0.1
+"""The end is sent again this often until the arm rests; rest reported earlier may be outdated."""
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
 """A lost device that comes back within this time is sent the end of the motion."""

@@ -15,6 +15,7 @@ from armui.doctor.report import findings_of_json
 from armui.system.command_process import CommandProcess
 
 _PATIENCE_S: Final = 180.0
+"""An examination that takes longer hangs, as in a driver, and is ended."""
 _LAST_WORDS: Final = 300
 
 Tell = Callable[[list[Diagnosis] | str], object]

@@ -198,6 +198,7 @@ class LiveStream(QObject):
         self._sender: LiveSender | None = None
         self._frames = LiveFrames()
         self.view = LiveView()
+        # The sender emits this signal in its own thread, which is no thread of Qt's.
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.noticed.connect(self._on_noticed)

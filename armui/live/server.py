@@ -41,6 +41,7 @@ EVENTS: Final = "/rosout"
 EVENT_TYPE: Final = "rcl_interfaces/Log"
 _ALWAYS: Final = TimeSpan(-math.inf, math.inf)
 _LOOK_S: Final = 0.25
+"""The interval at which a change of the server's state is passed on."""
 _AGAIN_S: Final = 1.0
 """The transforms that never change are repeated for viewers that come later."""
 _NICER_BY: Final = 5

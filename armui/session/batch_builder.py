@@ -35,6 +35,7 @@ _MOST_CHANNELS = 255
 FURTHER_CHANNELS: Final = "further channels"
 """The common name of all channels beyond the 255th."""
 _EARLIEST_DATE_S: Final = 5e8
+"""No log is from before 1985: a unit of time that leads there is not the log's."""
 _SMALLER_UNITS: Final = {"ms": 1e3, "µs": 1e6, "ns": 1e9, "ps": 1e12}
 LOG_NO_TIMES = Reason(
     "log_no_times",
@@ -49,6 +50,7 @@ LOG_LAST_LINE_TORN = Reason(
     "log_last_line_torn", "Its last line breaks off and is left out, as where a recorder is ended."
 )
 _CERTAIN_STEPS: Final = 256
+"""After so many steps, of which most go forward, times are certain not to be pauses."""
 MESSAGE_FLAGS: Final = (
     ("is_extended_id", FrameFlag.EXTENDED),
     ("is_remote_frame", FrameFlag.REMOTE),

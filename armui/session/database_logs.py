@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _ROWS: Final = 4_096
 _MOST_FAILURES: Final = 200
+"""The reading ends after this many damaged rows, each of which costs a further query."""
 _ALL_ROWS: Final = "SELECT * FROM messages"
 _LONGEST_VALUE: Final = 1 << 16
 """The most bytes of a value; a frame has 64 at most."""

@@ -37,6 +37,7 @@ _FOLD_EVERY: Final = 512
 """The number of samples added to the pyramid at once: numpy pays off by the hundred."""
 _BASE_PER_S: Final = 2.0**-BASE_EXPONENT
 _LATEST_TRIES: Final = 3
+"""A reader tries again if the sample was overwritten while it was copied."""
 
 Row = tuple[float, ...]
 

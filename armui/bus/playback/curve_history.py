@@ -40,6 +40,7 @@ _LOG: Final = logging.getLogger(__name__)
 FILL_ROWS: Final = 32_768
 """The number of frames added at once: a millisecond for each message."""
 _TURN_S: Final = 0.004
+"""The reader pauses after working this long, so that it does not hold Python's GIL."""
 _LONGEST_REST_S: Final = 0.02
 """The longest pause. The thread rests as long as it has worked, so other threads get Python's lock
 first.

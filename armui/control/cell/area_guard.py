@@ -118,8 +118,7 @@ class AreaGuard(ControllerPart):
         return tuple(each for each in self.look(state) if check.is_too_near(each))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
-        """Return the place where the measured arm is too near to its area, if any: the worst
-        one."""
+        """Return the worst place at which the measured arm is too near to its area, or ``None``."""
         entered = self.entered(state)
         if not entered:
             return None

@@ -140,6 +140,7 @@ class GamepadPilot(QObject):
         self._driving = False
         self._reason: Refusal | None = None
         self._view = PilotView()
+        # The reader emits this signal in its own thread, which is no thread of Qt's.
         self._buttons.connect(self._on_buttons, Qt.ConnectionType.QueuedConnection)
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)

@@ -46,6 +46,7 @@ OFFLINE_BUSY = Notice(
 )
 
 _EVERY_S: Final = 10.0
+"""Further losses and gaps are reported at most this often, so as not to fill the event log."""
 _STOOD_STILL_S: Final = 0.25
 """A longer time between two looks at the arm, of 33 ms each, is told as the computer's own."""
 

@@ -94,10 +94,12 @@ _MODEL_DEG: Final = 2.0
 """The most by which the program's kinematics and the arm's own may differ."""
 _ARRIVED_MM: Final = 5.0
 _ARRIVED_DEG: Final = 0.5
+"""A resting tool this near to its target has arrived, but for sag: steps start from the target."""
 _AWAY_MM: Final = 1.0
 """A tool this near to its target has arrived: half a degree of a joint moves it so far."""
 _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
+"""An arc is refused if the tool is farther than this from the arc's first pose."""
 
 
 class Cartesian(ControllerPart):

@@ -164,6 +164,8 @@ class Jogging(ControllerPart):
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._hold: _Hold | None = None
+        # Qt's default timer may be off by 5 %, and is fired together with others: too uneven for
+        # setpoints.
         self._timer = QTimer(interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 

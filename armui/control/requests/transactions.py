@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Message
 
 _WAIT_S: Final = 0.5
+"""An answer or a value read back is awaited this long before the frames are sent again."""
 _ATTEMPTS: Final = 2
 """The most times to send: a frame can be lost, and most of these may be repeated."""
 _WITHIN_S: Final = 1.0

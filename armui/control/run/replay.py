@@ -40,9 +40,12 @@ REPLAY_LAGGING = Reason(
 FULL_PERCENT: Final = 100
 """The recorded pace: no replay is faster."""
 _SPEED_SLACK: Final = 1.02
+"""Speeds computed from samples may exceed a limit by this factor: samples carry jitter."""
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
+"""The lag that is always allowed: `_LAG_SLACK_DEG`, and the way of this time."""
 LAG_MEMORY_S: Final = 1.0
+"""The highest speed and pace within this time count for the lag that is allowed."""
 _ACCELERATION_DEG_S2: Final = math.degrees(5.0)
 """The acceleration assumed while the arm has not reported its own."""
 

@@ -67,9 +67,11 @@ _SAMPLES_PERCENT: Final = 100
 _APPROACH_WITHIN_S: Final = 90.0
 """An approach that takes longer fails; time counts as slowly as the arm goes."""
 _REST_WITHIN_S: Final = 3.0
+"""An arm told to end its motion rests within this time, or the operator is warned."""
 _GRIPPER_STEP_MM: Final = 0.5
 """The gripper gets a new target only when the recorded opening has changed by this much."""
 _GRIPPER_TORQUE_NM: Final = 1.0
+"""Recordings hold no torque: this is the first value of the gripper's command, too."""
 _GAP_S: Final = 0.08
 """After a longer pause of the program the recorded time goes on by one period only, so that the arm
 is never asked to catch up; jogs end after the same time."""

@@ -44,6 +44,7 @@ _SLACK_MM_S: Final = 3.0
 _TOOL_SLACK_DEG_S: Final = 2.0
 """The same for the flange, at the end of the arm."""
 _UNKNOWN_RAMP_S: Final = 1.0
+"""The braking time assumed for a tool whose pace on its path is not known."""
 _TAKEN_UP_S: Final = 0.2
 """A new percentage shows in the measured speed after this time."""
 _FOR_S: Final = 0.1

@@ -33,7 +33,7 @@ _SHORTEST_S: Final = 0.05
 """A speed is not computed over a shorter time: noise would outweigh the motion."""
 _JUMP_DEG: Final = 2.0
 _JUMP_DEG_S: Final = 400.0
-"""No joint turns that fast: the angles are counted from another zero, and nothing has moved."""
+"""A change of angle beyond `_JUMP_DEG` and this speed is no motion: the zeros have changed."""
 _BY_WEIGHT: Final = frozenset(
     {Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.JOINTS_OFF, Unheld.NOT_TOLD}
 )

@@ -92,6 +92,7 @@ ARM_UNHEARD_MOVING = Notice(
 
 FURTHER_MM: Final = 50
 FURTHER_DEG: Final = 10.0
+"""A motion that goes on is reported again from one of these further distances on."""
 FURTHER_S: Final = 2.0
 """Further distances are reported at intervals of at least this time."""
 

@@ -26,6 +26,7 @@ KEPT_S: Final = 300.0
 MOST_BYTES: Final = 22_000_000
 """The ring's size: five minutes at 3,000 frames/s; with more traffic it reaches back less far."""
 _SLAB_ROWS: Final = 16_384
+"""The ring consists of slabs of this many frames, the oldest of which is dropped as a whole."""
 _SLAB_BYTES: Final = _SLAB_ROWS * ROW.itemsize
 _LONG_BYTES: Final = 256
 """The most memory for the data of a CAN FD frame, Python's overhead included."""

@@ -192,6 +192,7 @@ class RecordingPlan:
 
 _MOST_NAMES: Final = 1_000
 _CLOCK_JUMP_S: Final = 1.0
+"""A smaller difference between the clocks is drift, and not noted."""
 
 
 class RecordingWriter:

@@ -33,7 +33,9 @@ _ONES: Final = [np.eye(size) for size in range(7)]
 
 _AT_STOP_RAD: Final = 1e-9
 _FREE_TRIES: Final = 4
+"""After so many corrections no standing joint may start to slide any more, so that they end."""
 _SATURATION_TRIES: Final = 2
+"""The rounds in which saturated torques are fitted to the speeds that result from them."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,13 +102,16 @@ _UNIT_GUESSED: Final = 0.8
 _PLACE_ONLY: Final = 0.5
 
 _FULL_TURN_RAD: Final = 2 * math.pi + 0.01
+"""A larger angle cannot be in radians; the rest is rounding."""
 _FULL_TURN_DEG: Final = 360.0
 _BEYOND_DEG: Final = 20.0
 """Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
 _FAR_BEYOND_DEG: Final = 45.0
 """A target in plain degrees may be wrong, which the check tells better than a question."""
 _AT_REST_DEG: Final = 2.5
+"""An arm in its rest pose lies up to 2° outside its limits."""
 _NORMAL: Final = 100.5
+"""Normalised figures are within ±100, but for rounding."""
 _NARROWEST_M: Final = 0.001
 _LONGEST_M: Final = 2.0
 _WIDEST_M: Final = 0.2

@@ -57,6 +57,7 @@ FLOOR_MM: Final = 0.0
 _ROUNDED_DEG: Final = 0.01
 """The error of a joint angle that may come from rounding a pose to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
+"""Speeds computed from samples may exceed a limit by this factor: samples carry jitter."""
 JUMP_DEG: Final = 5.0
 """A joint that turns this far between two samples shows that they were not recorded in one go."""
 _STROKE_SLACK_MM: Final = 1.0
