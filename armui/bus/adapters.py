@@ -127,10 +127,10 @@ def interfaces() -> list[str]:
 
 
 def find_devices() -> list[Device]:
-    """Ask every back-end what is plugged in; takes up to some seconds.
+    """Search for devices with every back-end; takes up to some seconds.
 
-    A back-end that is not installed, or fails while it looks, has no devices. What may be an
-    adapter, and may be something else, comes last.
+    A back-end that is not installed, or fails while it looks, has no devices. Serial ports, which
+    may or may not be adapters, come last.
     """
     found: list[Device] = []
     _offer_libusb()

@@ -134,7 +134,7 @@ class AreaCheck:
         return self._area.margin_mm
 
     def is_too_near(self, entry: AreaEntry) -> bool:
-        """Return whether a standing arm is too near; what is measured wavers within the slack."""
+        """Return whether a standing arm is too near; measurements may waver within the slack."""
         return entry.gap_mm < self.margin_mm - SLACK_MM
 
     def gaps(self, joints_deg: npt.ArrayLike) -> Array:

@@ -71,7 +71,7 @@ class FirstPlace:
     gap_mm: float
 
     def between(self, poses: int) -> tuple[int, float]:
-        """Return the pose before the place on a way of so many, and the share to the next one."""
+        """Return the pose before the place on a way of `poses` poses, and the share behind it."""
         index = max(min(int(self.at), poses - 2), 0)
         return index, self.at - index
 
@@ -379,7 +379,7 @@ class PlaceSearch:
     def _not_clear(
         self, parts: _Parts, frames: Array, least_mm: Array
     ) -> tuple[Whole, Whole, Whole]:
-        """Return part, capsule and obstacle of what is not clear by the coarse capsules."""
+        """Return part, capsule and obstacle of the pairs that the coarse capsules do not clear."""
         asked = least_mm > -np.inf
         if self._coarse is None:
             capsule, obstacle = np.nonzero(asked)

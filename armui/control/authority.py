@@ -59,7 +59,7 @@ MET_MOVING = Reason(
 )
 
 ARRIVED_DEG: Final = 0.5
-"""A joint this close to its target has arrived: under load it may sag by that much."""
+"""A joint this close to its target has arrived: under load it may sag by this angle."""
 
 _TAKEN_IN_S: Final = 0.3
 """For this long after a frame was sent, the status last heard may be older than the frame."""
@@ -72,7 +72,7 @@ _REST_SHOWS_S: Final = 0.4
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 _REPLAY_SHOWS_S: Final = 1.5
-"""An arm that was told to follow its own recording shows it by then."""
+"""An arm that was told to follow its own recording reports that within this time."""
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
 _CANCEL_AGAIN_S: Final = 0.3
@@ -141,7 +141,7 @@ class Authority:
         self.revision = 0
         self.unconfirmed_cell: Refusal | None = None
 
-    # What is heard ------------------------------------------------------------------------------
+    # Observation --------------------------------------------------------------------------------
 
     def observe(self, seen: Observation) -> None:
         """Take in an observation; end our command if something has ended it."""
@@ -195,9 +195,9 @@ class Authority:
 
     @property
     def about_to_move(self) -> bool:
-        """True from a command or a word to go on of ours, until the arm has had the time for it.
+        """True from sending a target or «continue» until the arm has had the time to react.
 
-        It is not measured to move by then, and may wait for the adapter.
+        In that time it is not measured to move yet, and the frames may wait for the adapter.
         """
         status = None if self._seen is None else self._seen.state.status
         given_s = max(self._given_s, self._mode_left_s)
@@ -385,8 +385,8 @@ class Authority:
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
         """Return the arm's modes: as reported, or as sent if it had no time to report them.
 
-        ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
-        has the command.
+        ``None`` where a mode word with them cannot be sent: they are unknown, or another host has
+        the command.
         """
         seen = self._seen
         status = None if seen is None else seen.state.status
@@ -408,7 +408,7 @@ class Authority:
         sent, status = self._mode_sent, None if self._seen is None else self._seen.state.status
         return sent is not None and (status is None or status.at_s < sent[1] + _SHOWN_S)
 
-    # What is sent -------------------------------------------------------------------------------
+    # Commands sent ------------------------------------------------------------------------------
 
     def begin(
         self,
@@ -565,7 +565,7 @@ class Authority:
         """The number of the newest command; frames of lower numbers are outdated."""
         return self._number
 
-    # How it is judged ---------------------------------------------------------------------------
+    # Evaluation ---------------------------------------------------------------------------------
 
     def _end(self, reason: End) -> None:
         if self.command is None:

@@ -115,10 +115,10 @@ class Context:
         report_and_tell(self.tell, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """Return why no motion frame of ours may be sent by who moves the arm now, or ``None``.
+        """Return why no motion frame may be sent now, by who moves the arm, or ``None``.
 
-        The check that every motion frame passes: it judges by what is heard at this very moment,
-        not by the controller's last tick.
+        Every motion frame passes this check, which uses the newest feedback and not that of the
+        controller's last tick.
         """
         self.observe()
         return self.authority.why_not()

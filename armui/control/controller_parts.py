@@ -415,7 +415,7 @@ class ControllerParts(QObject):
         rest = (self.cell, self.reference, self.episodes)
         return Operations((*parts, *more, *motions, *runs, *rest))
 
-    # What more than one part ends -------------------------------------------------------------
+    # Ending activities of several parts -------------------------------------------------------
 
     def _end_driven(self) -> None:
         self.player.stop()
@@ -433,7 +433,7 @@ class ControllerParts(QObject):
         self.reference.places_change()
         self.player.drop()
 
-    # What the controller itself does ----------------------------------------------------------
+    # Declared as operations of the controller itself ------------------------------------------
 
     def emergency_stop(self) -> None:
         """See :meth:`ArmController.emergency_stop`."""

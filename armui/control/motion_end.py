@@ -29,7 +29,7 @@ _MOTION_COMMAND: Final = 0x150
 """The identifier of stop, resume and trajectory commands, without an offset."""
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
-"""The end of the program waits at most so long for the arm to rest."""
+"""The longest time that the end of the program waits for the arm to rest."""
 _AGAIN_S: Final = 0.1
 """The end is sent again this often until the arm rests; rest reported earlier may be outdated."""
 _LOOK_S: Final = 0.02

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from armui.session.recording.rows import RecordedFrame
 
 _MOST_WAITING: Final = 4_096
-"""Half a second of a full bus: what is older is of no use to a viewer."""
+"""Half a second of a full bus: older frames are of no use to a viewer."""
 _MOST_EVENTS: Final = 256
 _WATCHED_S: Final = 0.02
 _UNWATCHED_S: Final = 0.25
@@ -48,12 +48,12 @@ _LEVELS: Final = {Level.INFO: 20, Level.DONE: 20, Level.WARNING: 30, Level.FAULT
 
 
 class LiveFrames(Listener):
-    """All frames since the newest codec, with it: none is ever decoded by another one.
+    """The frames since the last change of codec, with that codec, so that no other decodes them.
 
     Attributes:
         newest: The codec, and its frames.
         generation: The protocol that the arm was found to speak.
-        dropped: The number of frames that nobody took in time.
+        dropped: The number of frames dropped because they were not taken in time.
     """
 
     def __init__(self) -> None:
@@ -63,7 +63,7 @@ class LiveFrames(Listener):
 
     @property
     def dropped(self) -> int:
-        """The number of frames that nobody took in time."""
+        """The number of frames dropped because they were not taken in time."""
         return self._dropped_before + self.newest[1].dropped
 
     def know_generation(self, generation: Generation | None) -> None:

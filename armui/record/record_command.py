@@ -40,7 +40,7 @@ _END_S: Final = 10.0
 _AT_ONCE_S: Final = 1.0
 _LOOK_S: Final = 0.1
 _KEPT_S: Final = 1.0
-"""The ring keeps next to nothing, because nobody reads it."""
+"""The ring is kept short, because nothing reads it."""
 _LARGEST_MB: Final = 4000
 
 

@@ -187,7 +187,7 @@ class Telemetry(Listener):
         quantity, series = self.find(key)
         return series.latest(quantity.field)
 
-    # What is known of the arm; any thread -----------------------------------------------------
+    # The arm's generation and tool; any thread ------------------------------------------------
 
     def know_generation(self, generation: Generation | None) -> None:
         """Set the arm's protocol; with ``None`` only values common to both generations are kept."""

@@ -33,7 +33,7 @@ SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
 """The pause between two looks at the clock."""
 _END_MS: Final = 10_000
-"""The end of the program waits so long for the thread."""
+"""The longest time that the end of the program waits for the thread."""
 _LONGEST_TURN_S: Final = 0.25
 """The most that a turn may count: after the computer slept or was busy the log goes on where it
 was.

@@ -87,7 +87,7 @@ class AreaGuard(ControllerPart):
         self._looked_by: AreaCheck | None = None
         self._ran = True
 
-    # What is known ----------------------------------------------------------------------------
+    # State ------------------------------------------------------------------------------------
 
     @property
     def area(self) -> Area | None:

@@ -73,7 +73,7 @@ class ArmEvidence:
 def evidence_of(state: ArmState, handshake: Handshake | None) -> ArmEvidence | None:
     """Return the evidence of an arm that is heard; ``None``: it is not known well enough.
 
-    Its answers must be complete, and all its motors reported enabled of late.
+    Its answers must be complete, and all its motors recently reported as enabled.
     """
     heard_s, joints_deg = state.last_feedback_s, state.angles_deg()
     if handshake is None or heard_s is None or joints_deg is None:

@@ -122,7 +122,7 @@ class CellControl(ControllerPart):
         self.store: CellKeeper | None = None
         self.candidate: UserFrame | None = None
 
-    # What is known --------------------------------------------------------------------------
+    # State ----------------------------------------------------------------------------------
 
     @property
     def cells(self) -> Mapping[str, Cell]:
@@ -185,7 +185,7 @@ class CellControl(ControllerPart):
 
         return held_shape(held)
 
-    # What the program tells -----------------------------------------------------------------
+    # Changes by the program -----------------------------------------------------------------
 
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
         """Take the tool of the settings, which holds while no cell is in force; at rest."""
@@ -416,7 +416,7 @@ class CellControl(ControllerPart):
             self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
 
     def _follow_kept(self) -> None:
-        """Take the cell that is kept for this adapter by now, unless one was chosen here."""
+        """Take the cell that another program keeps for this adapter, unless one was chosen here."""
         if self._device is None or self._confirmed or self.store is None:
             return
         name = self.store.kept(self._device.arm_key())
@@ -431,7 +431,7 @@ class CellControl(ControllerPart):
     def why_no_pose(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
 
-        Only what is measured counts, of an arm that is heard and measured at rest.
+        Only a measured pose counts, of an arm that is heard and at rest.
         """
         context = self._context
         now = context.operating_state()
@@ -454,7 +454,7 @@ class CellControl(ControllerPart):
         return tuple(pose)
 
     def _why_holding(self) -> Refusal | None:
-        """Return why the cell may not be left: what is held would count no more."""
+        """Return why another cell may not be chosen: the held object would no longer count."""
         held = "" if self.in_force is None else self.in_force.held
         return HELD_IN_HAND(name=held) if held else None
 
@@ -484,7 +484,7 @@ class CellControl(ControllerPart):
         self._context.refresh()
 
     def _take_effect(self) -> None:
-        """Pass on the tool; a target of ours that was told with another one is none any more."""
+        """Pass on the tool; if it has changed, no step starts from our last target any more."""
         holding = self.holding()
         tool = holding.tool.pose
         self._cartesian.tool_radius_mm = holding.tool.radius_mm

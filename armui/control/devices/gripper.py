@@ -410,7 +410,7 @@ class GripperControl(RequestingPart[str]):
         self._start(started, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
         return None
 
-    # How it is carried out --------------------------------------------------------------------
+    # Carrying out -----------------------------------------------------------------------------
 
     def _last_feedback(self) -> GripperState | None:
         heard = self._context.state().gripper
@@ -460,7 +460,7 @@ class GripperControl(RequestingPart[str]):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Follow what is under way in the gripper's feedback; it gives way to another host's."""
+        """Follow the request and the motion; drop the request if another host commands."""
         if self._context.authority.other.has_commanded_gripper(self._commanded_s):
             self._drop_request()
         if self._travel is not None:
@@ -517,7 +517,7 @@ class GripperControl(RequestingPart[str]):
     def end_travel(self) -> None:
         """End a motion of the gripper that is under way, by sending it to its present place.
 
-        It keeps hold of whatever it grips by then.
+        It keeps holding an object that it has gripped meanwhile.
         """
         travel = self._travel or self._to_hold  # `_to_hold` waits for a new report
         self._drop_request()

@@ -153,7 +153,7 @@ class EventObserver:
         self._forgot_s, self._silent_since_s = now_s, None
         return ended
 
-    # What the arm says ------------------------------------------------------------------------
+    # The arm's reports ------------------------------------------------------------------------
 
     def _on_heard(self, heard: StatusChange) -> Iterator[EventChange]:
         if heard.name == h.STATUS:
@@ -283,7 +283,7 @@ class EventObserver:
         del self._going_on[key]
         yield EventChange(EventPhase.ENDED, key, at_s)
 
-    # Frames that come again and again ---------------------------------------------------------
+    # Series of frames -------------------------------------------------------------------------
 
     def _on_invalid(self, frames: InvalidFrames) -> Iterator[EventChange]:
         key = ("invalid", frames.sort)

@@ -279,7 +279,7 @@ class GamepadPilot(QObject):
         jog = SteeredJog(hand.hold.rates, frame, self._infos[key].name)
         jogging = self._jogging
         if self._driving:
-            if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
+            if not jogging.steer(jog):  # it has ended, with a reason given elsewhere
                 self._take_away(None)
         elif jogging.active:
             self._take_away(JOG_UNDER_WAY())
@@ -349,7 +349,7 @@ class GamepadPilot(QObject):
             self._discard_episode()
         self._show()
 
-    # What is shown ----------------------------------------------------------------------------
+    # Display ----------------------------------------------------------------------------------
 
     def _show(self, snapshot: DeviceSnapshot | None = None) -> None:
         snapshot = snapshot or self.snapshot or DeviceSnapshot(0.0)

@@ -17,7 +17,7 @@ from armui.protocol.generation import Generation
 _VERSION_WAIT_S: Final = 0.5
 """Answers are collected for this time; a second question within it would shift the text."""
 _VERSION_ROUNDS: Final = 2
-"""An arm that leaves so many questions unanswered is of generation 1."""
+"""An arm that leaves this number of questions unanswered is of generation 1."""
 _TORN_ROUNDS: Final = 4
 """The number of questions to an arm that answers: frames may be lost or mixed with others."""
 _LEADER_WAIT_S: Final = 2.0
@@ -175,7 +175,7 @@ class Handshake:
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
         """Return whether an arm that must not be asked speaks as often as generation 2.
 
-        On a connection that only listens its silence says nothing.
+        On a listen-only connection no question is sent, so that silence is no evidence.
         """
         return not self._asked and state.frames / (now_s - self._began_s) > _FAST_PER_S
 

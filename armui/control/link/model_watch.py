@@ -1,7 +1,7 @@
 """Compares the chosen model with the arm's reports and warns; the operator decides.
 
-What is found out here, too, is where the arm counts joints 2 and 3 from: by its version, and by the
-pose it reports, which goes before the version.
+It also finds the zeros from which the arm counts joints 2 and 3: by its version, and by the pose it
+reports, which takes precedence.
 """
 
 from __future__ import annotations

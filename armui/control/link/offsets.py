@@ -16,7 +16,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 _SILENT_S: Final = 0.5
 """Other feedback is taken for the same arm's after the known one was silent for this time."""
 _SETTLED_S: Final = 0.05
-"""A status this much later than the setting was reported after it."""
+"""A status received this long after the setting already reflects it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -135,7 +135,7 @@ class Cartesian(ControllerPart):
         self._tool = tool
         self._context.connection.telemetry.set_tool(tool)
 
-    # What is known --------------------------------------------------------------------------
+    # State ----------------------------------------------------------------------------------
 
     def prepare(self) -> None:
         """Load the modules for poses before an arm is connected, so that it need not wait."""

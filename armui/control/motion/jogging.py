@@ -112,7 +112,7 @@ if TYPE_CHECKING:
     from armui.control.motion.joint_motion import Motion
 
 _TICK_MS: Final = 10
-"""A jog looks at the arm, and sends what is due, a hundred times a second."""
+"""The period at which a jog reads the feedback and sends the setpoint that is due."""
 _SHORTEST_S: Final = 0.004
 """The least time between two setpoints: two timers drive the stream, and one is enough."""
 _HELD_UP_S: Final = 0.08

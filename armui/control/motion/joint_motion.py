@@ -70,7 +70,7 @@ COME_INSIDE_PERCENT: Final = 10
 _FIRST_SPEED_PERCENT: Final = 30
 """The speed at the start of the program, until the operator sets another one."""
 _LAG_STEPS: Final = 2
-"""A held button steps on only while its joint lags behind by at most so many steps."""
+"""A held button continues to step only while its joint lags by at most this number of steps."""
 _SETTLE_S: Final = 0.3
 """The operator's speed is not restored until this long after a command of ours."""
 

@@ -44,7 +44,7 @@ PAUSE_HOLDS = Notice(
 RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
 
 UNKNOWN_FOR_S: Final = 1.0
-"""What a run must know of the arm may be missing for so long."""
+"""Feedback that a run needs may be missing for this time."""
 
 
 class Execution(QObject, ControllerPart):
@@ -174,7 +174,7 @@ class Execution(QObject, ControllerPart):
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
         gap, now_s = self._context.state().gap, self._context.clock()
         late = gap is not None and gap.value > PAUSE_S and gap.fresh(now_s)
-        if gap is not None and late and reason.reason in PASSING:  # the gap did it (S37)
+        if gap is not None and late and reason.reason in PASSING:  # the gap is why (S37)
             reason = RUN_GAP(seconds=round(gap.value, 1))
         self._hold.drop()
         abort_motion_for(self._context, reason)

@@ -241,7 +241,7 @@ class Inspection(ControllerPart):
             self._look_for_room(self._wished_deg)
 
     def forget_arm(self) -> None:
-        """End what is under way, and forget what was found: another arm may come."""
+        """End the inspection and forget its results: another arm may come."""
         if self._going is not None:
             self._finish(self._going)
         self.plan = self._job = self._asked = None

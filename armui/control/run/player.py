@@ -83,7 +83,7 @@ RUN_FAILED = Notice(
 
 
 _INSIDE_WITHIN_S: Final = 60.0
-"""The slow way of an arm outside its limits back inside may take so long."""
+"""The longest time for the slow way of an arm outside its limits back inside."""
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 

@@ -1,4 +1,4 @@
-"""The check before a run: what is checked, under which conditions, and what came out."""
+"""The check before a run: its input, its conditions, and its result."""
 
 from __future__ import annotations
 

@@ -119,7 +119,7 @@ class Replay:
         return None if math.isnan(opening_mm) else opening_mm
 
     def braking_s(self, at_s: float, state: ArmState) -> float:
-        """Return the time in which the slowest joint brakes from its speed of late."""
+        """Return the time in which the slowest joint brakes from its recent speed."""
         speeds = self._speeds_deg_s(at_s)
         return max(
             speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)

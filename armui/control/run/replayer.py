@@ -256,9 +256,9 @@ class Replayer(Execution):
     def _approach(self, replay: Replay) -> Refusal | None:
         """Set out for the first sample, slowly: the arm may stand anywhere.
 
-        What is checked is the way there and the whole recording, at the highest speed. Where that
-        is refused, the operator's lower speed is tried, above which the replay may not go then. An
-        arm that lies outside its limits is brought inside first.
+        The gate checks the way there and the whole recording, at the highest speed. Where that is
+        refused, the operator's lower speed is tried, above which the replay may not go then. An arm
+        that lies outside its limits is brought inside first.
         """
         refusal = self._send_off(replay)
         return None if refusal is None else self._more_slowly(refusal)

@@ -32,7 +32,7 @@ class RequestState(enum.Enum):
     CHECKED = enum.auto()
     """The check is done; a request for a check alone ends here."""
     ASKING = enum.auto()
-    """The operator has to agree to the findings, or to a motion so long after the press."""
+    """The operator has to agree to the findings, or to a motion that long after the press."""
     STARTING = enum.auto()
     UNDER_WAY = enum.auto()
     REFUSED = enum.auto()

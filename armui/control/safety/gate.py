@@ -217,7 +217,7 @@ class Gate(ControllerPart):
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._pending: _Pending | None = None
 
-    # What is known ------------------------------------------------------------------------------
+    # Rules --------------------------------------------------------------------------------------
 
     def rules(self) -> Rules | None:
         """Return the rules in force; ``None`` while no arm is connected."""
@@ -236,7 +236,7 @@ class Gate(ControllerPart):
         return None if rules is None else _judge(way, rules, self._marks).refusal
 
     def judge_target(self, joints_deg: Sequence[float]) -> Refusal | None:
-        """Return why no motion may end at six angles, or what is asked before it, or ``None``.
+        """Return why no motion may end at six angles, or the question before it, or ``None``.
 
         Its way is judged when it is sent.
         """
@@ -258,7 +258,7 @@ class Gate(ControllerPart):
         return judged.refusal or self._let_through(judged, way)
 
     def ask_on(self, command: MotionCommand | None) -> Pass | Refusal:
-        """Return the pass for what is left of a motion that was held back, or why it may not go on.
+        """Return the pass for the rest of a motion that was held back, or why it may not continue.
 
         Args:
             command: Our command; ``None`` if its target is not known any more.
@@ -271,7 +271,7 @@ class Gate(ControllerPart):
         return self.ask(rest_of(command.way, begin_deg))
 
     def ask_unknown(self) -> Pass | Refusal:
-        """Return the pass for a motion whose way nobody knows, or why it may not be begun."""
+        """Return the pass for a motion of unknown way, or why it may not begin."""
         rules, now = self.rules(), self._context.operating_state()
         bounded = now.keeps_area or (rules is not None and rules.are_bounded)
         return WAY_UNKNOWN() if bounded else Pass()
@@ -291,7 +291,7 @@ class Gate(ControllerPart):
         return passed
 
     def ask_held(self) -> Pass:
-        """Return the pass for a frame typed by hand, whose way nobody reads: its button is held."""
+        """Return the pass for a frame typed by hand, whose way is unchecked: its button is held."""
         return Pass()
 
     def ask_no_way(self) -> Pass:
@@ -380,7 +380,7 @@ class Gate(ControllerPart):
         return self._follow(pending)
 
     def _planned(self, request: MotionRequest, begin_deg: Sequence[float]) -> Way | Refusal:
-        """Return the way of a motion, why there is none, or what the operator is asked before."""
+        """Return the way of a motion, or the reason against it or the question that comes first."""
         way, rules = request.plan(begin_deg), self.rules()
         if isinstance(way, Refusal) or rules is None or request.agreed_mm is None:
             return way

@@ -55,13 +55,13 @@ _OTHERS_WITHIN_S: Final = 0.1
 
 @dataclass(slots=True)
 class _Question:
-    """The version is asked for before the arm is taken out of its mode.
+    """The question for the version, before the arm is taken out of its mode.
 
     Attributes:
         mark: Which arm the operator has meant.
-        pauses: How often it had paused by then.
+        pauses: The number of pauses in its feedback at the press.
         pressed_s: When the operator pressed.
-        next_s: When the question is put the next time.
+        next_s: When the question is sent again.
     """
 
     mark: ArmMark

@@ -184,7 +184,7 @@ class OtherCommand:
 
     @property
     def may_be_taken_over(self) -> bool:
-        """True if the operator may take the arm over; from a stream nobody can."""
+        """True if the operator may take the arm over; during a stream of commands never."""
         if not self.commands or self.last_s is None:
             return False
         return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S

@@ -37,7 +37,7 @@ TOOL_TURNS_TOO_FAST = Reason(
 
 
 _TOO_FAST: Final = 1.5
-"""A measured speed of more than so many times what the window shows ends the motion (S12)."""
+"""A measured speed above this multiple of the shown speed ends the motion (S12)."""
 _SLACK_DEG_S: Final = 2.0
 """The speed that the last digit's noise and the bus's jitter can feign."""
 _SLACK_MM_S: Final = 3.0
@@ -71,7 +71,7 @@ class ToolPace:
     ramp_s: float
 
     def slowed_within_s(self, percent: float) -> float:
-        """Return the longest time in which the tool becomes slower by so many percent."""
+        """Return the longest time in which the tool slows down by a percentage."""
         return self.ramp_s * percent / 100.0 + _TAKEN_UP_S
 
 

@@ -62,7 +62,7 @@ STEP_IN_VAIN_NOTICE = Notice(
 
 
 _SHOWS_LATER_S: Final = 0.5
-"""An answer's effect shows in the feedback this much later: drivers report ten times a second."""
+"""The effect shows in the feedback within this time of an answer: drivers report at 10 Hz."""
 
 _SETTLE_S: Final = 0.25
 _MAY_BE_BRIEF: Final = frozenset(
@@ -305,7 +305,7 @@ class Recovery(ControllerPart):
     # The outcome of an action ---------------------------------------------------------------------
 
     def _follow(self, step: Step, now_s: float) -> Step:
-        """Return the step with what has become of the action taken against it."""
+        """Return the step with the outcome so far of the action taken against it."""
         attempt = self._attempt
         if attempt is None:
             return step

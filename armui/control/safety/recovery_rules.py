@@ -2,8 +2,8 @@
 
 A higher row must be settled before a lower one can be: without a link nothing else matters, a stop
 hides every other fault, a driver with a fault keeps its motor off, motors without power cannot be
-moved out of a limit. Of those that could be settled in any order the greater matter comes first:
-danger, then doubt, then what is offered.
+moved out of a limit. Rows that could be settled in any order are sorted by weight: danger, then
+doubt, then offers.
 """
 
 from __future__ import annotations

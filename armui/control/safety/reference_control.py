@@ -185,7 +185,7 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
         self._left_over_deg: tuple[float, ...] | None = None
         self._simulated: ReferenceRecord | None = None
-        """What is known of the simulated arm of this device: the next one is new."""
+        """The record of this device's simulated arm, which ends with the device."""
         self._slipped = ""
         self.check: ReferenceCheck | None = None
         self.record = ReferenceRecord()
@@ -385,7 +385,7 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
 
     def forget_arm(self) -> None:
-        """Forget the arm; what is kept of it is kept, but a simulated arm ends with its device."""
+        """Forget the arm; its record is kept, unless it is a simulated arm."""
         self._leave()
         self._simulated = None
 

@@ -22,7 +22,7 @@ LEFT_DEG: Final = 5.0
 EXEMPT_S: Final = 1.0
 """For this long after a stop, a silence, a foreign motion and the like nothing is judged."""
 _LATER_S: Final = 0.2
-"""A driver's report this much later than the excursion tells whether the joint was enabled."""
+"""A driver's report this long after the excursion shows whether the joint was enabled."""
 _UNTOLD_S: Final = 2.0
 """Without such a report within this time nothing is concluded."""
 _FASTER: Final = 1.5

@@ -74,8 +74,8 @@ class _Sample:
 class SinkingWatch:
     """Compares the measured angles with where the arm last stood.
 
-    Two samples that came in time are compared. Across a gap in what arrives nothing is claimed to
-    have begun.
+    Two samples that came in time are compared. No motion is taken to begin across a gap in the
+    feedback.
 
     Args:
         height_mm: Returns the height of the lowest of flange, fingertip and held object at six
@@ -122,7 +122,7 @@ class SinkingWatch:
         self._rest.reset()
 
     def observe(self, watched: WatchedMotion) -> None:
-        """Take in what is heard now."""
+        """Take in the present facts and the newest angles."""
         if not watched.heard:
             self._show_unheard(watched.now_s)
             return

@@ -178,7 +178,7 @@ class SinkingControl(ControllerPart):
         self._watch.observe(watched)
         self._tell_events()
 
-    # Why it may move --------------------------------------------------------------------------
+    # Causes -----------------------------------------------------------------------------------
 
     def _cause(self, now: OperatingState) -> tuple[Unheld | None, tuple[int, ...]]:
         """Return why the arm may move without a command, and the joints that may."""
@@ -210,7 +210,7 @@ class SinkingControl(ControllerPart):
         powered = all(now.enabled)
         return (Unheld.NOT_TOLD if untold and powered else None), ALL_JOINTS
 
-    # What is measured -------------------------------------------------------------------------
+    # Measured figures -------------------------------------------------------------------------
 
     def _flange_mm(self, joints_deg: Sequence[float]) -> Sequence[float]:
         rows = flange_rows(self._context.operating_state().model_fit.geometry, joints_deg)

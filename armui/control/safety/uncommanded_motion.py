@@ -32,7 +32,7 @@ class Unheld(enum.Enum):
 
 
 class MotionKind(enum.Enum):
-    """The kinds of what is seen of such an arm."""
+    """The kinds of motion that such an arm shows."""
 
     UNMEASURED = "unmeasured"
     """Whether it stands is not measured yet."""
@@ -47,7 +47,7 @@ class MotionKind(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class UncommandedMotion:
-    """A motion that no command of ours is about, and as it is shown as long as it lasts.
+    """A motion without a command of ours, with the figures shown while it lasts.
 
     Attributes:
         kind: What is seen.

@@ -1,4 +1,4 @@
-"""Frames in memory as the text of a candump log, for whoever keeps them elsewhere."""
+"""Frames in memory as the text of a candump log, for example for a problem report."""
 
 from __future__ import annotations
 

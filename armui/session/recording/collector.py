@@ -47,7 +47,7 @@ Sink = Callable[[FrameRows], None]
 
 @dataclass(slots=True)
 class _Slab:
-    """Rows that are only ever added: whoever has seen some of them may read these for ever."""
+    """Rows that are only added, never changed: reading known ones needs no lock."""
 
     table: NDArray[Any]
     count: int = 0
@@ -108,7 +108,7 @@ class FrameRing:
         return self._slabs[-1]
 
     def _make_room(self, for_bytes: int) -> None:
-        """Drop the oldest: what is too old, and what is too much."""
+        """Drop the oldest slabs: those too old, and those beyond the memory limit."""
         with self._lock:
             slabs = self._slabs
             newest_s = slabs[-1].last_s if slabs and slabs[-1].count else None

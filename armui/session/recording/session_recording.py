@@ -134,7 +134,7 @@ class SessionRecording:
                 due_s = time.monotonic() + BLOCK_S  # set before writing, which takes time, too
                 self._write(writer)
             self._write(writer)
-        except Exception as error:  # noqa: BLE001 - a disk, a format: what is written stays readable
+        except Exception as error:  # noqa: BLE001 - any error: the written part stays readable
             self.failure = error
             if not isinstance(error, OSError):
                 _LOG.exception("A recording has failed")

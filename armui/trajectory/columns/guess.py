@@ -318,7 +318,7 @@ def _of_pose(title: str) -> ColumnQuantity | None:
 
 
 def _parts(title: str) -> tuple[str, str]:
-    """Return a title without its unit, in small letters, its words parted by ``_``; and the unit.
+    """Return a title without its unit, in lower case, its words separated by ``_``; and the unit.
 
     A unit in brackets wins, wherever it stands; "" is none.
     """

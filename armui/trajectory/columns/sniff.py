@@ -102,7 +102,7 @@ def _styles(dialect: Dialect) -> list[tuple[str, str]]:
 
 
 def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...], ...]:
-    """Return the first rows, up to one that cannot be parted: a full read will say so."""
+    """Return the first rows, up to one that cannot be split; a full read reports that one."""
     shown: list[tuple[str, ...]] = []
     with contextlib.suppress(TrajectoryFileError):
         for _line, cells in islice(table(text, style.delimiter, first_line), _PREVIEW):

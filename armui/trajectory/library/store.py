@@ -481,9 +481,9 @@ class Library:
         return next(name for name, kept in self._scan().items() if kept.path == path)
 
     def _place_for(self, folder: str) -> str:
-        """Return the sub-folder to bring something back to, made anew if it is gone.
+        """Return the sub-folder to restore something to, created again if it is gone.
 
-        Where something else has its name by now, that is the library's folder itself.
+        If something else has taken its name, it is the library's folder itself.
 
         Raises:
             OSError: It cannot be made.
@@ -702,7 +702,7 @@ class Library:
             return self._file_store.scan()
 
     def _verify(self, content: Content) -> None:
-        """Make sure that what is kept can be read again.
+        """Ensure that the saved content can be read again.
 
         Raises:
             LibraryError: It could not.

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Severity(enum.Enum):
-    """The weight of a finding: may the operator run the trajectory all the same?"""
+    """The weight of a finding: whether the operator may run the trajectory in spite of it."""
 
     ERROR = "error"
     """The arm would refuse, stop or hit itself: the trajectory must not be run."""

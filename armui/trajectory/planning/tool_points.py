@@ -39,7 +39,7 @@ class ToolPoints:
 
     @property
     def is_flange(self) -> bool:
-        """True without a tool: what is shown is what is kept."""
+        """True without a tool: points are shown as they are kept."""
         return not any(self.tool)
 
     def shown(self, point: Waypoint) -> Waypoint:
