@@ -24,7 +24,7 @@ class JointFigures:
     """What the swing of one joint has shown.
 
     Attributes:
-        behind_deg: How far it stays behind its setpoint at an even speed, in degrees.
+        behind_deg: The lag behind its setpoint at an even speed, in degrees.
         bears_a: The motor's current that is the same both ways: what it bears.
         current_a: The current that turns round with it: what it takes to turn the joint; ``None``
             where the arm tells no sign of its currents.
@@ -143,8 +143,8 @@ class JointFinding:
     Attributes:
         joint: The joint (1–6).
         sign: The figure.
-        value: What was measured.
-        usual: What it was compared with.
+        value: The measured value.
+        usual: The value it was compared with.
         earlier: True if that is the joint's own, of earlier; false if it is that of its peers.
     """
 

@@ -70,7 +70,7 @@ class BusReport(NamedTuple):
     """A report of the bus thread on its device.
 
     Attributes:
-        state: What it is doing.
+        state: The state of the device.
         device: The device.
         problem: Why it is ``BLOCKED``, ``DEAF``, ``LOST`` or ``FAILED``.
         worker: The number of the thread that says so.

@@ -48,7 +48,7 @@ class _Batch:
     """The frames of one call of :meth:`Outbox.put`: all go out, or none.
 
     Attributes:
-        frames: Those that are not out yet.
+        frames: Its frames that have not been sent yet.
         until_s: After this time none of it may begin.
         command: The number of the command it belongs to; ``None``: of none.
         press: The press it belongs to; ``None``: of none.

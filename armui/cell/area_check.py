@@ -93,7 +93,7 @@ class AreaCheck:
     Args:
         area: The work area; what is switched off in it does not count.
         body: The arm with what it carries.
-        rising: How the base stands in the room.
+        rising: The rise of the base's axes in the room, and its height.
     """
 
     def __init__(self, area: Area, body: Body, rising: Rising = STANDING) -> None:

@@ -209,8 +209,8 @@ class PlaceSearch:
     """Searches ways for the first place at which something that moves is too near to an obstacle.
 
     Args:
-        moving: What moves.
-        obstacles: What it may be too near to.
+        moving: The moved capsules.
+        obstacles: The obstacles from which a distance is kept.
         coarse: Fewer capsules that enclose all of it, and which of them each is in; needs
             obstacles that are `Facing`.
     """

@@ -112,7 +112,7 @@ class MovedCapsules:
             frames: As in `ends`.
             poses: Likewise.
             capsules: Likewise.
-            ends: What it returned.
+            ends: The result of `ends`.
             directions: (m, 3) the direction for each capsule.
 
         Returns:

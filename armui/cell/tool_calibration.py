@@ -82,7 +82,7 @@ class TipFit:
         point_mm: The fixed point in the base.
         residuals_mm: The distance of the tip from that point, by pose.
         condition: The condition number of the equations.
-        spread: How different the orientations are.
+        spread: The differences of the orientations.
     """
 
     tip_mm: tuple[float, float, float]

@@ -299,8 +299,8 @@ class ArmController(ControllerParts):
 
         Args:
             name: The id, a key of :attr:`operations`.
-            *arguments: Those of its method.
-            **named: Those of its method that have names.
+            *arguments: The positional arguments of its method.
+            **named: The keyword arguments of its method.
 
         Returns:
             The record of the command, or why it was refused; ``None`` where nothing began: an

@@ -30,7 +30,7 @@ def assess(
 
     Args:
         state: The arm as last heard.
-        known: What the program knows beside that: what follows from it is put in here.
+        known: The program's own knowledge beside that; the results are filled in here.
         authority: Knows who moves the arm.
         offsets: Follows the arm's identifiers.
         now_s: Monotonic time.

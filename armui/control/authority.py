@@ -435,7 +435,7 @@ class Authority:
             joints_deg: Six target angles, where it names them.
             tool: The target of the tool centre point, where it names it.
             leads_away: True if the tool was measured elsewhere than its target.
-            pace: Of a line or an arc: how fast the tool goes at 100 %.
+            pace: The tool's speed at 100 % along a line or an arc.
             started: The operation that it carries out.
             way: The way that the gate has passed.
             most_percent: The highest speed that it may be given on its way.
@@ -525,7 +525,7 @@ class Authority:
 
         Args:
             now_s: Monotonic time.
-            end: What ends our command by it.
+            end: The cause by which our command ends.
         """
         self._end(end)
         self.revision += 1

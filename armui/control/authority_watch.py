@@ -77,7 +77,7 @@ class AuthorityWatch:
         end_motion: Ends our motion with a reason.
 
     Attributes:
-        authority: What it feeds.
+        authority: The authority that it feeds.
     """
 
     def __init__(

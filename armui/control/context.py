@@ -104,8 +104,8 @@ class Context:
 
         Args:
             started: The command.
-            ending: How it ended.
-            notice: What the operator is told.
+            ending: The way it ended.
+            notice: The notice for the operator.
             **params: The figures of that.
         """
         close_and_tell(self.tell, self.clock(), started, ending, notice, **params)

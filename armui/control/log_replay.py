@@ -49,7 +49,7 @@ class LogReplay(QObject):
         channel: The channel that is shown.
         arm: The facts on the arm in the log.
         name: The name shown to the operator.
-        parent: Qt's.
+        parent: The parent object.
 
     Attributes:
         session, channel: As given.

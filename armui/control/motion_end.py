@@ -45,7 +45,7 @@ class MotionEnd:
 
     Args:
         controller: Has the parts.
-        context: What they share.
+        context: The context that the controller's parts share.
         stopping: Knows whether a stop is outstanding, which makes any other end needless.
 
     Attributes:

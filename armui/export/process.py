@@ -51,7 +51,7 @@ class ExportProcess(CommandProcess):
     """One export, which starts at once.
 
     Args:
-        request: What to export.
+        request: The export that is wanted.
         tell: Called until it is over, unless it is ended before.
     """
 

@@ -90,12 +90,12 @@ class LiveSender(threading.Thread):
     Args:
         address: Host and port.
         frames: The frames.
-        arm: What is known of the arm besides its codec.
+        arm: The facts on the arm besides its codec.
         shift_s: The shift from the frames' times to seconds since 1970.
         tell: Called in this thread with each :class:`LiveState`.
 
     Attributes:
-        arm: What is known of the arm besides its codec.
+        arm: The facts on the arm besides its codec.
         events: The events to be sent: time in ns, level, text.
     """
 

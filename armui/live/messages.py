@@ -43,7 +43,7 @@ class LiveArm:
     """The arm that the frames to come are from.
 
     Attributes:
-        name: What it is called in the diagnostics.
+        name: Its name in the diagnostics.
         geometry: With the zeros of its firmware.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         codec: The parts of the codec that decodes them; ``None`` until it is known.
@@ -79,7 +79,7 @@ class LiveView:
 
     Attributes:
         state: The state of its process.
-        address: Where it is served: host and port.
+        address: The address of the server: host and port.
         for_others: True if other computers can watch.
         lost: The number of frames dropped because its process did not take them.
     """

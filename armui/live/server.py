@@ -66,7 +66,7 @@ class LiveServer:
     Args:
         host: The address to listen at.
         port: The port; 0 for any.
-        arm: What is known of the arm; see :meth:`use_arm`.
+        arm: The facts on the arm; see :meth:`use_arm`.
 
     Attributes:
         port: The port.

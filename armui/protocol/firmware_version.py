@@ -120,7 +120,7 @@ class FirmwareQuirks(NamedTuple):
             from S-V1.8-5 on; the simulated arm does so.
         shifted_zeros: Joints 2 and 3 count from zeros 2° elsewhere (before S-V1.6-3).
         has_leader_zero: 0x191 sends the leader arm to its zero.
-        has_cpv: 0x181-0x187.
+        has_cpv: The firmware has the CPV frames 0x181-0x187.
         cpv_position_signs: The factors for ``po`` of joints 1-6, so that the joint turns as with
             MOVE J.
         cpv_speed_signs: The same for ``sp``.

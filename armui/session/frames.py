@@ -129,7 +129,7 @@ class DamageList:
 
     Attributes:
         count: The number of all damaged places, also of those not kept.
-        notes: What is to be known of the log and is no damage, each once.
+        notes: Remarks on the log that are no damage, each once.
     """
 
     def __init__(self) -> None:

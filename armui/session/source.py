@@ -124,7 +124,7 @@ class LogSource:
         Only line ends separate lines, so that the numbers are those of an editor.
 
         Args:
-            encoding: What a block that is no UTF-8 is taken for.
+            encoding: The assumed encoding of a block that is not UTF-8.
         """
         carry = b""
         dropping = False

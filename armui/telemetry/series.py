@@ -59,7 +59,7 @@ class _Level:
     """One level: a ring of buckets.
 
     Attributes:
-        numbers: Which bucket a place of the ring holds.
+        numbers: The number of the bucket at each place of the ring.
         lows, highs: For each block of signals, one row a signal.
     """
 
@@ -459,7 +459,7 @@ class Series:
             exponent: The buckets are 2^exponent seconds wide.
             begin: The number of the first one.
             end: The number of the one behind the last.
-            fields: Of which figures or codes; all of one kind.
+            fields: The names of figures or of codes, not of both.
         """
         size = max(0, end - begin)
         heard = np.zeros(size, np.bool_)

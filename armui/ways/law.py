@@ -56,7 +56,7 @@ class Rule(Protocol):
     Attributes:
         name: The name, which is no other rule's.
         bounds: The names of its bounds.
-        noise: By how much a pose that is measured may be outside without being so, in its unit.
+        noise: The tolerance for measured poses, in the rule's unit.
         exact: By how much a target may miss a bound, in its unit: rounding to the steps of the bus.
         may_stay: True if an arm outside may be sent to a place that is outside, too, as along the
             plane it is too near to; false if a target is inside always, as the firmware wants of

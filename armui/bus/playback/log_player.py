@@ -63,7 +63,7 @@ class Folding:
     """Picks the frames of a slice with new content; those left out are repeated later in it.
 
     Args:
-        codec: How frames are decoded.
+        codec: The codec of the frames.
     """
 
     def __init__(self, codec: Codec) -> None:

@@ -39,8 +39,8 @@ class ArmEvidence:
 
     Attributes:
         heard_s: Monotonic time at which it was last heard.
-        answers: What it answered to the questions for its version and its limits.
-        joints_deg: Where its joints stood.
+        answers: Its answers to the questions for its version and its limits.
+        joints_deg: Its six joint angles then.
     """
 
     heard_s: float
@@ -51,9 +51,9 @@ class ArmEvidence:
         """Return whether an arm that has come is the one of this evidence.
 
         Args:
-            state: That arm as heard since.
+            state: The state of that arm, from its feedback since it came.
             handshake: The questions to it.
-            came_s: When it was heard first.
+            came_s: Monotonic time at which it was first heard.
         """
         joints_deg = state.angles_deg()
         enabled = [each.value.enabled for each in state.drivers_slow if each is not None]

@@ -139,7 +139,7 @@ def why_not_gripper(
     """Return why the gripper may not be commanded, or ``None``.
 
     Args:
-        now: What the operator can do.
+        now: The operating state.
         moving: True if the command moves the gripper or lets it hold.
         letting_go: True if the command takes its power: it may hold a finger, so a run is no reason
             against it; the run ends.

@@ -152,7 +152,7 @@ def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
     """Return a mark as an event, in the sentence it has while connected.
 
     Raises:
-        ValueError, TypeError: It holds something else than this program writes.
+        ValueError, TypeError: The mark does not have the form that this program writes.
     """
     code = str(mark.entry.get("code", ""))
     if mark.entry.get("kind") == "lost":

@@ -83,11 +83,11 @@ class _Series:
     """Frames that come again and again.
 
     Attributes:
-        count: How many.
-        last_s: When the last one came.
+        count: The number of frames.
+        last_s: The time of the last one.
         told: The count that was last reported.
         told_s: The time of that report.
-        since_s: When the first one came.
+        since_s: The time of the first one.
     """
 
     count: int

@@ -82,7 +82,7 @@ class Connection(QObject):
     Args:
         opener: Opens a device.
         clock: Monotonic time in seconds.
-        parent: Qt's.
+        parent: The parent object.
         make_worker: Makes a worker in the place of the bus thread, as for a log.
 
     Attributes:

@@ -77,7 +77,7 @@ def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
 
     Args:
         context: The context that the controller's parts share.
-        end: What ends our command by it.
+        end: The cause by which our command ends.
     """
     connection = context.connection
     if connection.device is None or connection.device.listen_only:

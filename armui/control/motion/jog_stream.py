@@ -77,7 +77,7 @@ class JogStream:
 
         Args:
             measured_deg: The measured angles of the joints.
-            dt_s: Since the last call.
+            dt_s: The time since the last call.
             pace: The present limits.
 
         Returns:

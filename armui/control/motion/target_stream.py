@@ -87,10 +87,10 @@ def angles_of_pose(
     """Return the angles of a target that is a pose, or why it cannot be followed.
 
     Args:
-        kinematics: Of the arm.
+        kinematics: The arm's kinematics.
         flange_pose_mm_deg: The pose of the flange in the base.
         near_deg: The newest setpoint.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
     """
     from armui.arm.reach import check_pose  # noqa: PLC0415 - numpy
     from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
@@ -113,7 +113,7 @@ def stream_pace(
 
     Args:
         percent: 0–100.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
         accelerations_deg_s2: The highest acceleration of each; see
             :func:`armui.control.motion.jog_pace.accelerations`.
     """
@@ -142,7 +142,7 @@ class TargetStream:
         base_deg: The six angles at which the stream begins.
         measured_deg: Where the joints are then; the difference is their sag, and no lead.
         accelerations_deg_s2: The highest acceleration of each joint.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
         why_barred: Checks each setpoint.
 
     Attributes:
@@ -175,7 +175,7 @@ class TargetStream:
 
         Args:
             measured_deg: The measured angles of the joints.
-            dt_s: Since the last call.
+            dt_s: The time since the last call.
             pace: The present limits; see :func:`stream_pace`.
 
         Returns:

@@ -35,7 +35,7 @@ class EndNotices:
         done: The notice when the arm has done it.
         failed: Returns what is told when it has not, by the reason; the reason is ``None`` if the
             feedback did not show it in time. ``None`` tells nothing.
-        ending: How it ends when it is done.
+        ending: The way it ends when it is done.
         is_end: Asked when it is done: false if that is an interim result, and it goes on.
     """
 
@@ -84,7 +84,7 @@ class PendingRequest(Generic[Kind]):
         """Send a request; the one before it is dropped.
 
         Args:
-            kind: What it does, for :attr:`kind`.
+            kind: Its kind, shown by :attr:`kind`.
             started: The record of the command.
             request: The frames, and what shows that the arm has done it.
             notices: The notices at its end; ``None`` if the caller closes its record.

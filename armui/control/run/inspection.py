@@ -81,10 +81,10 @@ class SwingPlan:
     """How far each joint may swing where the arm stands.
 
     Attributes:
-        begin_deg: Where it stands.
-        amplitude_deg: How far each was to swing to either side.
+        begin_deg: The six angles at which the arm stands.
+        amplitude_deg: The wanted swing of each joint to either side.
         rules: The gate's rules then; with other rules the plan is void.
-        swings: Of the six joints.
+        swings: The possible swings of the six joints.
     """
 
     begin_deg: tuple[float, ...]
@@ -102,7 +102,7 @@ class InspectionReport:
         plan: The swings that were planned.
         findings: The notable deviations.
         unmeasured: The joints (1–6) that were not measured, each with why.
-        curves: Of the joints that swung, what was commanded and heard.
+        curves: The commanded and measured curves of the joints that swung.
         earlier: The inspections of this arm that it was compared with.
         ended: Why it ended early; ``None`` if it did not.
     """
@@ -123,7 +123,7 @@ class _Going:
     Attributes:
         times: When each joint swings, in the recorded time; those to come.
         lasts_s: The recorded time in all.
-        begun_s: When the first of them began; ``None``: not yet.
+        begun_s: The time at which the first of them began; ``None`` before.
     """
 
     plan: SwingPlan
@@ -145,9 +145,9 @@ class Inspection(ControllerPart):
         wall: Returns the local time now.
 
     Attributes:
-        name: What the run is called, in the operator's language.
+        name: The name of the run, in the operator's language.
         plan: The room for the swings; ``None`` while it is not known.
-        report: What the last inspection of this arm has found; ``None`` before.
+        report: The result of the last inspection of this arm; ``None`` before.
     """
 
     def __init__(

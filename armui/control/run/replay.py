@@ -84,7 +84,7 @@ class Replay:
 
         Args:
             begin_deg: Where the arm stands.
-            most: That speed, in percent of the recorded pace.
+            most: The highest speed, in percent of the recorded pace.
         """
         from armui.ways.way import Way  # noqa: PLC0415 - numpy
 

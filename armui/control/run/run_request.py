@@ -220,7 +220,7 @@ class RunRequest:
         """Change to another state, and call `told`.
 
         Raises:
-            ValueError: It does not follow the present one.
+            ValueError: The state may not follow the present one.
         """
         ends = {RequestState.REFUSED, RequestState.GIVEN_UP}
         if self.is_over or state not in _NEXT[self.state] | ends:

@@ -64,7 +64,7 @@ class Runner(QObject):
         """Run a checked content; return the record of the run, or why it has not begun.
 
         Args:
-            checked: What is run.
+            checked: The checked content.
             speed_percent: The operator's speed as it begins.
         """
         content, asked, options = checked.content, checked.order.content, checked.basis.options

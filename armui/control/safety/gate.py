@@ -167,7 +167,7 @@ class StreamCheck:
         Args:
             ahead_deg: The next setpoint.
             now_deg: The present one.
-            lag_deg: How far each joint may be behind the next one; nothing for hardly any.
+            lag_deg: How far each joint may lag behind the next setpoint; empty for almost no lag.
         """
         rules = self._gate.rules()
         if rules is None:

@@ -58,9 +58,9 @@ class _Question:
     """The question for the version, before the arm is taken out of its mode.
 
     Attributes:
-        mark: Which arm the operator has meant.
+        mark: The arm and connection that the operator has meant.
         pauses: The number of pauses in its feedback at the press.
-        pressed_s: When the operator pressed.
+        pressed_s: The time of the operator's press.
         next_s: When the question is sent again.
     """
 

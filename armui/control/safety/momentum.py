@@ -26,7 +26,7 @@ class Momentum:
     Attributes:
         speeds_deg_s: Their speeds; 0 of what stands.
         accelerations_deg_s2: With which they brake.
-        late_s: How long ago the speeds were measured, and what a target needs to take effect.
+        late_s: The age of the speeds, plus the time that a target needs to take effect.
     """
 
     speeds_deg_s: tuple[float, ...]

@@ -59,7 +59,7 @@ class ToolPace:
     """The greatest speed of the flange along a line or an arc at 100 %.
 
     Attributes:
-        kinematics: Of the arm that is measured.
+        kinematics: The kinematics of the measured arm.
         linear_mm_s: The speed of its position.
         angular_deg_s: The speed of its turning.
         ramp_s: The braking time from this speed to rest.
@@ -86,7 +86,7 @@ class _SpeedChange:
     """The speeds of the joints at a change of the speed that was set.
 
     Attributes:
-        at_s: When that was.
+        at_s: The time of the change.
         measured_deg_s: The speed of each joint then.
         allowed_deg_s: The highest speed each was allowed until then.
     """
@@ -149,7 +149,7 @@ class OverspeedWatch:
             percent: The speed shown for the motion under way, of its highest; ``None``: there is
                 nothing to compare with.
             factory: The factory limits of the model, for unread ones.
-            accelerations_deg_s2: Of the six joints: how they slow down.
+            accelerations_deg_s2: The accelerations with which the six joints slow down.
             pace: The tool's speed at 100 %, for a line or an arc.
 
         Returns:

@@ -103,7 +103,7 @@ def _operation(
         method: The operation.
         *given: Arguments of it on which its reason does not depend.
         awaited: As in :class:`_Act`.
-        **asked: Those on which it does.
+        **asked: The arguments on which its reason depends.
     """
     return _Act(
         lambda _step: method(*given, **asked),
@@ -117,8 +117,8 @@ class _PendingAction:
     """An action under way; it ends when the arm is in another state.
 
     Attributes:
-        step: What it is to settle.
-        idle_since_s: Since when nothing of it is on its way any more.
+        step: The step that it is to settle.
+        idle_since_s: The time since when nothing of it is under way any more.
         cleared: The clearing of errors that it last began.
     """
 

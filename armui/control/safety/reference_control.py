@@ -168,7 +168,7 @@ class ReferenceControl(ControllerPart):
 
     Attributes:
         check: The check that is open, or ``None``.
-        record: What is kept of the connected arm.
+        record: The record of the connected arm.
     """
 
     def __init__(

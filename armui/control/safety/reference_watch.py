@@ -104,7 +104,7 @@ class Excursion:
 
     Attributes:
         joint: The joint (1–6).
-        place_deg: Where it belonged.
+        place_deg: The angle at which it should have stayed.
         farthest_deg: The angle farthest from there that was reported.
     """
 
@@ -187,7 +187,7 @@ class ReferenceWatch:
         """Take in what was reported; return the joints that have left their place.
 
         Args:
-            arm: What is known beside the angles.
+            arm: The facts about the arm beside the angles.
             reports: Every angle reported since the last call, in order.
         """
         if arm.exempt:

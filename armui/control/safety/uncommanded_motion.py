@@ -50,7 +50,7 @@ class UncommandedMotion:
     """A motion without a command of ours, with the figures shown while it lasts.
 
     Attributes:
-        kind: What is seen.
+        kind: The kind of motion.
         cause: Why it may move; ``None`` of an arm that is not heard.
         seconds: The time since it began to move, or since it was last heard.
         down_mm: How far the lowest of flange, fingertip and held object has come down meanwhile;

@@ -110,7 +110,7 @@ class LogIndex:
         marks: The marks found in the frames, in the order of time.
         damages: Damaged places, bounded.
         damage_count: The number of all damaged places.
-        notes: What is to be known of the log besides.
+        notes: Further remarks on the log.
         reversed_times: The number of frames whose time was before that of the preceding one.
         cut: The reason why the rest of the log was not read: ``"frames"``, too many, or ``"disk"``,
             it is full; "" if all was read.

@@ -20,7 +20,7 @@ def candump_text(parts: Sequence[FrameRows], base: TimeBase, channel: str) -> by
 
     Args:
         parts: In the order of time.
-        base: Of their times.
+        base: The time base of the frames.
         channel: The bus's name.
     """
     lines = CandumpFormat(0.0, channel)

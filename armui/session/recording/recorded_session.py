@@ -301,7 +301,7 @@ class RecordedSession:
         """Index the blocks that a killed program had written and not indexed yet.
 
         Raises:
-            NotALogError: That is far more than it can be.
+            NotALogError: The tail is longer than a killed program can have left.
         """
         last = self._blocks[-1] if self._blocks else None
         number = 1 if last is None else last.file

@@ -221,7 +221,7 @@ class CheckRequest:
         cycles: The number of cycles; 0 runs until it is ended.
         area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
         lowest_mm: The least height that the operator has chosen, or ``None``.
-        carried: What its points have the hand hold, as far as the cell knows it, by name.
+        carried: The objects that its points name as held, as far as the cell has them.
     """
 
     content: Content

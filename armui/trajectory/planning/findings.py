@@ -62,7 +62,7 @@ class Finding:
         approach: True if the way from the arm's present pose is at fault, and not the point in
             the row.
         cycle: The first cycle in which it happens.
-        contact: Where the arm touches, if that is what was found.
+        contact: The place where the arm touches something, if that was found.
         at_s: When it happens in a recording; ``None`` for a trajectory of points.
     """
 

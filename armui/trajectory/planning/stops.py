@@ -115,7 +115,7 @@ def choose(
         table: Its stops.
         arm: The arm.
         skipped: Stops that cannot be reached: the arm does not move for them.
-        followed: By stop, the joints a tool move was followed from, and to.
+        followed: By stop, the joints at begin and end of a tool move that was followed.
     """
     count = len(points) + 1
     route = Route(np.full(count, -1), np.full((count, 6), math.nan), [], {})
