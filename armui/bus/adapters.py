@@ -248,7 +248,7 @@ def _device(interface: str, config: Mapping[str, Any]) -> Device:
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Keep what back-ends log about missing drivers off a terminal where nobody set up logging."""
+    """Suppress the back-ends' log messages on missing drivers if no logging is set up."""
     handler = logging.NullHandler()
     logging.getLogger().addHandler(handler)
     try:

@@ -113,7 +113,7 @@ class FrameProcessor:
         """
         try:
             self._process(frame, at_s, flags)
-        except Exception:  # noqa: BLE001 - an error of ours must not stop the reading
+        except Exception:  # noqa: BLE001 - an error of ours must not end the reading
             self._count_failed(frame)
 
     def _process(self, frame: Frame, at_s: float, flags: int) -> None:

@@ -70,7 +70,7 @@ _TICK_MS: Final = 33
 _SENT_WITHIN_S: Final = 0.15
 """At its end the program waits this long for queued frames, such as an abort, to be sent."""
 _END_S: Final = 1.0
-"""At the end of the program it waits this long for the device and for a search."""
+"""At its end the program waits this long for the device to be closed, and for a search."""
 
 
 class ArmController(ControllerParts):

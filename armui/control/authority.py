@@ -536,7 +536,7 @@ class Authority:
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def cancel_is_due(self, now_s: float) -> bool:
-        """Return whether the end of the motion is to be told once more; true once for each.
+        """Return whether the cancel is to be sent once more; true once for each cancel.
 
         Its frame may be lost: the joints still move when they could have begun to brake.
         """
@@ -700,7 +700,7 @@ class Authority:
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         replays = status is not None and is_own_replay(status.value)
         led = state is not None and in_drag_teaching(state) and not replays
-        # Another host, a stop or a hand rules the arm now: our cancel has nothing left to end.
+        # Another host, a stop or a hand controls the arm now: our cancel has nothing left to end.
         moved = self.other.commands or stopped or led
         if moved or (self.at_rest and shows):
             self._cancelled_s, self.cancel_unheeded = None, False

@@ -428,7 +428,7 @@ class ControllerParts(QObject):
         self.replayer.end_run(reason)
 
     def _forget_places(self) -> None:
-        """Forget the places asked for: the angles are counted anew, and none means the same."""
+        """Forget all targets: after a change of zero the same angles mean other places."""
         self._context.authority.end_command(End.ZERO_CHANGED)
         self.reference.places_change()
         self.player.drop()

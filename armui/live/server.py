@@ -48,7 +48,7 @@ _NICER_BY: Final = 5
 _TAKEN: Final = frozenset({errno.EADDRINUSE, 10048})
 """The system's numbers for a port in use: this one's, and that of Windows."""
 _LAGGING: Final = "foxglove.websocket.connected_client.send_lossy"
-"""The log of foxglove-sdk that tells, now and then, of a viewer whose queue is full."""
+"""The logger of foxglove-sdk that reports viewers whose queue is full."""
 
 
 class _Lagging(logging.Handler):

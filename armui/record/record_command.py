@@ -99,7 +99,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     with handled_by(lambda number, _frame: ending.append(number)), ExitStack() as stack:
         try:
             bus = stack.enter_context(opened(device))
-        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+        except Exception as error:  # noqa: BLE001 - third-party drivers raise anything
             return _cannot_begin(
                 f"{_said(explain(device, error))}\n{say('`armui doctor` tells more.')}"
             )
@@ -137,7 +137,7 @@ def _record(
             break
         try:
             listener.listen()
-        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+        except Exception as error:  # noqa: BLE001 - third-party drivers raise anything
             text = error_text(error)
             problem = say("{device} is gone: {text}", device=device.name, text=text)
             break

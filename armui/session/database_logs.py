@@ -69,7 +69,7 @@ class _Database(can.SqliteReader):
     def _message(self, row: Any) -> can.Message | Exception:
         try:
             return self._assemble_message(row)
-        except Exception as error:  # noqa: BLE001 - a row holds whatever somebody put there
+        except Exception as error:  # noqa: BLE001 - rows may hold any type of value
             return error
 
 

@@ -143,7 +143,7 @@ class DamageList:
             self.notes.append(note)
 
     def add(self, damage: Damage) -> None:
-        """Keeps or counts one more damaged place."""
+        """Keep one more damaged place, or only count it if there are too many."""
         self.count += 1
         if len(self._kept) < MOST_DAMAGES:
             self._kept.append(damage)

@@ -431,7 +431,7 @@ class GripperControl(RequestingPart[str]):
         frames: Sequence[Frame],
         seen: Callable[[GripperState], bool],
     ) -> None:
-        """Send something, again until the gripper shows it."""
+        """Send a command, and repeat it until the gripper's feedback shows its effect."""
         context = self._context
         self._commanded_s = since_s = context.clock()
 

@@ -80,7 +80,7 @@ _AS_BEFORE: Final = 0.975
 
 @dataclass(slots=True)
 class _Series:
-    """Frames that come again and again.
+    """A series of frames of one kind, counted as one event.
 
     Attributes:
         count: The number of frames.

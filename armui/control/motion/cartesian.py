@@ -187,7 +187,7 @@ class Cartesian(ControllerPart):
         return self._other_model(state) or MODEL_DIFFERS()
 
     def _other_model(self, state: ArmState) -> Refusal | None:
-        """Return as a reason that another model fits; ``None``: none does."""
+        """Return that another model fits, as a reason; ``None`` if no other one does."""
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return None

@@ -366,8 +366,8 @@ class Jogging(ControllerPart):
     ) -> tuple[float, ...]:
         """Return the angles at which a jog begins.
 
-        That is our own target only where the arm stands at it, but for its sag: one that has been
-        sent off and has not begun to move stands elsewhere.
+        That is our own target only if the arm is at it, but for sag, and not if it has been sent
+        there and has not begun to move.
 
         A joint that stands outside its limits alone, and is jogged back, begins at the limit: the
         arm takes no target outside.

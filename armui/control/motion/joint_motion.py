@@ -90,7 +90,7 @@ def _why_no_step(
 ) -> Refusal | None:
     """Return why a joint can't go a step further: it is at its limit, or the step is too long.
 
-    One that stands outside may come back.
+    A joint outside its limits may come back.
     """
     bound_deg = limits.max_deg if delta_deg > 0 else limits.min_deg
     inwards = (bound_deg - base_deg) * delta_deg >= 0.0
@@ -236,7 +236,7 @@ class Motion(ControllerPart):
         return self._move(started, _HOME_DEG, WENT_HOME, agreed_mm)
 
     def _drop_inside(self) -> None:
-        """Drop what waits, and the second part of the way back: it is looked for anew."""
+        """Drop the motion that waits, and the second part of the way back, which is found anew."""
         drop_waiting(self)
         self._next_deg = ()
 

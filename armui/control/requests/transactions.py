@@ -273,7 +273,7 @@ class TransactionQueue(ControllerPart):
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Return why the arm it was meant for is not the one to be spoken to now, or ``None``."""
+        """Return why the connected arm is not the one the command was meant for, or ``None``."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None

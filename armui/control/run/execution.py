@@ -156,7 +156,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _end(self, phase: RunPhase) -> None:
-        """End it: no target is sent any more."""
+        """End the run or replay; no target is sent any more."""
         self._phase = phase
 
     # What runs and replays have in common -----------------------------------------------------
@@ -174,7 +174,7 @@ class Execution(QObject, ControllerPart):
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
         gap, now_s = self._context.state().gap, self._context.clock()
         late = gap is not None and gap.value > PAUSE_S and gap.fresh(now_s)
-        if gap is not None and late and reason.reason in PASSING:  # the gap is why (S37)
+        if gap is not None and late and reason.reason in PASSING:  # a gap, not the arm (S37)
             reason = RUN_GAP(seconds=round(gap.value, 1))
         self._hold.drop()
         abort_motion_for(self._context, reason)

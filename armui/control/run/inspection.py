@@ -291,7 +291,7 @@ class Inspection(ControllerPart):
         going.figures[joint] = figures_of(curves, going.speed_deg_s, signed=signed)
 
     def _finish(self, going: _Going) -> None:
-        """Judge what was measured, keep it, and tell it; what was not measured is named."""
+        """Evaluate the measurements, keep them, and report them; unmeasured joints are named."""
         self._going = None
         ended = None
         if going.times:

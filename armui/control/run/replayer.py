@@ -244,9 +244,9 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Return whether it has been paused by 0 %, and the recorded time still slows down.
+        """Return whether it was paused by 0 %, and the recorded time still slows down.
 
-        After a long pause of the program it does so no more: the arm rests at the last target.
+        After a long pause of the program it does not: the arm already rests at the last target.
         """
         if self._context.clock() - self._since_s >= _LONGEST_GAP_S:
             self._pace = 0.0
@@ -308,7 +308,7 @@ class Replayer(Execution):
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
-        # An arm slowed to a half may take twice as long.
+        # At half the speed the arm may take twice as long.
         slowed = self._approach_percent / self._approach_cap
         self._waited_s += (now_s - self._looked_s) * slowed
         self._looked_s = now_s

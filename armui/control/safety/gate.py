@@ -595,7 +595,7 @@ class Gate(ControllerPart):
 
 
 def _is_short(way: Way, rules: Rules) -> bool:
-    """Return whether a way is checked in a moment, or ends nowhere at all."""
+    """Return whether the check of a way is short; true for NaN, too, which it refuses."""
     return not rules.effort(way) > _AT_ONCE
 
 

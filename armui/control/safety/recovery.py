@@ -84,7 +84,7 @@ class _Act:
     """The functions behind an action.
 
     Attributes:
-        carry_out: Does it against a step; returns why not, if it comes to nothing at once.
+        carry_out: Takes the action against a step; returns why not, if it fails at once.
         why_not: Returns the reason against it, besides the step's own.
         awaited: True if the arm is to show its effect; otherwise it leads to another step at once.
     """

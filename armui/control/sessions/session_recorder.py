@@ -194,7 +194,7 @@ class SessionRecorder(QObject):
     def _lost(self, recording: SessionRecording) -> int:
         return recording.lost + self._lane.dropped - self._dropped_before
 
-    # What the operator asks for ---------------------------------------------------------------
+    # What the operator wants ------------------------------------------------------------------
 
     def choose(self, choices: SessionChoices) -> None:
         """Take over the operator's choices; a recording under way goes on as it was begun."""
@@ -320,7 +320,7 @@ class SessionRecorder(QObject):
         self._timer.start()
 
     def _begin_collecting(self) -> Collector:
-        """Collect frames from the first device, or the first wish, on."""
+        """Collect frames, from the first device or the first request for recordings on."""
         # numpy comes with the first device: the window starts without it
 
         if self._collector is None or self._ring is None:

@@ -176,7 +176,7 @@ class IndexedLog:
         path = column_path(self._folder, name)
         if path.stat().st_size == 0:
             return np.empty((0, *kind.shape), kind.base)
-        # seen as a plain array, of which one row costs a fraction
+        # A plain array over the file's map: reading a row of a memmap costs far more.
         with open_file(path) as file:
             flat: NDArray[Any] = np.asarray(np.memmap(file, kind.base, "r"))
         return flat.reshape(-1, *kind.shape)

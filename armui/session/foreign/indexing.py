@@ -81,7 +81,7 @@ REPLAY_NO_LOG = Reason(
 )
 
 
-# Times of a log that run backwards are put right.
+# Corrects times of a log that run backwards.
 
 _CLOCK_SET_S: Final = 1.0
 """A larger step back shows that the recorder's clock was set back; a smaller one, that frames were

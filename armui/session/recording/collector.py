@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from armui.session.recording.lane import FrameLane
 
-# The last minutes of everything on the bus, in memory; bounded.
+# Keeps the last minutes of all frames on the bus in memory, within a limit.
 
 KEPT_S: Final = 300.0
 """The time for which frames are kept in the ring."""
@@ -31,7 +31,7 @@ _SLAB_BYTES: Final = _SLAB_ROWS * ROW.itemsize
 _LONG_BYTES: Final = 256
 """The most memory for the data of a CAN FD frame, Python's overhead included."""
 _MOST_LONG: Final = 2_048
-"""The most such frames of a slab; those of a whole slab would be too many to drop at once."""
+"""The most CAN FD frames of a slab: a slab full of them would be too much to drop at once."""
 _LONG_AT_ONCE: Final = 512
 
 _LOG: Final = logging.getLogger(__name__)

@@ -48,7 +48,7 @@ class DiskFile:
         self.path = path
         self.size = 0
         self._file = open_file(path, "xb")
-        self._handle = self._file.fileno()  # nothing waits in a buffer
+        self._handle = self._file.fileno()  # unbuffered: a killed program loses no bytes
         self._to_disk_s = time.monotonic()
         self._syncing: threading.Thread | None = None
         self._sync_error: OSError | None = None

@@ -95,7 +95,7 @@ TITLES: Final = (
     *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
 )
 _WHOLE_DEFAULT: Final = 30
-"""The speed in percent of a row of a file that tells none."""
+"""The speed in percent of a row that names none."""
 
 _BEYOND_DEG: Final = 20.0
 """Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
@@ -379,7 +379,7 @@ def read_cells(
 
 
 class _Row:
-    """One row, its cells asked for by title."""
+    """One row, whose cells are read by title."""
 
     def __init__(self, columns: Columns, cells: Sequence[str], line: int) -> None:
         self._columns = columns

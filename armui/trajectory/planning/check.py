@@ -63,7 +63,7 @@ JUMP_DEG: Final = 5.0
 _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
 _TREMBLES_DEG: Final = 0.5
-"""A lying arm is measured no further than this from where it lies."""
+"""The measured angles of an arm at rest waver by no more than this."""
 _SAMPLES_ON_END: Final = 50
 """The number of samples of a recording that are examined together: half a second at 100 Hz."""
 
@@ -476,7 +476,7 @@ def _legs(content: Content, path: PlannedPath) -> list[_Leg]:
 def _carried_legs(
     content: Content, path: PlannedPath, request: CheckRequest
 ) -> Iterator[tuple[Carried, list[_Leg]]]:
-    """Yield what the hand holds, and on which parts of the path; where it changes, both."""
+    """Yield each held object with the parts of the path on which it is held; at a change, both."""
     holds = [point.holds for point in content.points] if isinstance(content, Trajectory) else []
     now, legs = Carried(request.arm.held, request.area), _legs(content, path)
     if all(name is None for name in holds):
@@ -723,7 +723,7 @@ def _at(path: PlannedPath, index: int, found: Finding) -> Finding:
 def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     """Check the samples, at the speed the path was planned with.
 
-    Of samples on end with the same problem, the first is named.
+    Of successive samples with the same problem, the first is named.
     """
     if len(recording.samples) < 2:
         yield EMPTY()
