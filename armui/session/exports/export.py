@@ -190,8 +190,6 @@ _LATER_S: Final = 1.0
 
 @dataclass(eq=False, repr=False)
 class _Export:
-    """One export under way."""
-
     request: ExportRequest
     source: ExportSource
     tell: Callable[[ExportProgress], object]

@@ -174,7 +174,6 @@ def _points(
     lines: Sequence[int],
     mapping: ColumnMapping,
 ) -> tuple[Waypoint, ...]:
-    """Return a point for each row."""
     move = MoveMode.MOVE_J if mapping.move is None else mapping.move  # not `or`: MOVE P is 0
     targets = np.column_stack([found[name] for name in (JOINTS if move.name == "MOVE_J" else POSE)])
     empty = np.full(len(targets), np.nan)

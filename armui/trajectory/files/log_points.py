@@ -125,8 +125,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
 
 
 def _split(text: str, line: int) -> tuple[list[Token], str | None]:
-    """Return the words of a line and its comment; blanks within quotation marks belong to a
-    word."""
+    """Return the words of a line and its comment; blanks in quotation marks belong to a word."""
     words: list[Token] = []
     position = 0
     for match in _TOKEN.finditer(text):
