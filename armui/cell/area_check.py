@@ -174,7 +174,7 @@ class AreaCheck:
         return Breach(index, share, zone, part, found.gap_mm)
 
     def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
-        """Return the part nearest to each plane and box at six angles, the nearest pair first."""
+        """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
         gaps, nearest = (each[0].tolist() for each in self._nearest([joints_deg]))
         parts = [self._moved.parts[capsule] for capsule in nearest]
         entries = map(AreaEntry, self._area.zones, parts, gaps)
