@@ -1,4 +1,4 @@
-"""Tells reports that arrive in time from those that were held up on their way: pure.
+"""Distinguishes reports that arrive in time from those delayed on their way: pure.
 
 What is measured between two reports is the arm's doing only if both arrived as they were sent. A
 busy computer or adapter holds reports up, and hands them over together: then joints seem to stand,
@@ -15,9 +15,9 @@ LATE_S: Final = 0.06
 _CAUGHT_UP_S: Final = 0.03
 """Reports that have come this much faster than the arm sends them were held up before."""
 _PERIOD_SHARE: Final = 0.01
-"""The share of each new spacing in the mean period: what is held up does not change the mean."""
+"""The weight of each new interval in the mean period: so small that delays hardly change it."""
 _CERTAIN: Final = 0.9
-"""Of the mean period this much counts: a frame lost now and then makes it longer."""
+"""The share of the mean period that is used: frames lost now and then make the mean longer."""
 
 
 class Arrivals:

@@ -1,4 +1,4 @@
-"""What joint inspections and resumes have found of an arm, and what stands out in it."""
+"""The findings of joint inspections and resumes of an arm, and which of them are notable."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from armui.arm.json_fields import finite
 from armui.arm.limits import JOINTS
 
 KEPT: Final = 10
-"""So many inspections, and so many resumes, are kept of each arm."""
+"""The number of inspections, and of resumes, that are kept of each arm."""
 SLIP_DEG: Final = 1.0
-"""A slip at a resume is said from here on."""
+"""A slip at a resume is reported from this angle on."""
 _LONGEST_TEXT: Final = 64
 _MOST: Final = 1e4
 
@@ -24,7 +24,7 @@ class JointFigures:
     """What the swing of one joint has shown.
 
     Attributes:
-        behind_deg: How far it stays behind its setpoint at an even speed, in degrees.
+        behind_deg: The lag behind its setpoint at an even speed, in degrees.
         bears_a: The motor's current that is the same both ways: what it bears.
         current_a: The current that turns round with it: what it takes to turn the joint; ``None``
             where the arm tells no sign of its currents.
@@ -67,13 +67,13 @@ class ResumeEntry:
 
     @property
     def slipped(self) -> dict[int, float]:
-        """The joints (1–6) that slipped by what is to be said, each with its degrees."""
+        """The joints (1–6) that slipped by at least :data:`SLIP_DEG`, each with its degrees."""
         found = zip(JOINTS, self.slips_deg, strict=True)
         return {joint: deg for joint, deg in found if deg is not None and abs(deg) >= SLIP_DEG}
 
     @property
     def text(self) -> str:
-        """What slipped, as ``J1 -5.0°, J2 +1.0°``; empty if nothing did."""
+        """The slips as text, like ``J1 -5.0°, J2 +1.0°``; empty if nothing slipped."""
         return ", ".join(f"J{joint} {deg:+.1f}°" for joint, deg in self.slipped.items())
 
 
@@ -124,11 +124,11 @@ def _read_figures(entry: object) -> JointFigures | None:
     return JointFigures(behind_deg, bears_a, **found)
 
 
-# What stands out ----------------------------------------------------------------------------------
+# Notable figures ----------------------------------------------------------------------------------
 
 
 class JointSign(enum.StrEnum):
-    """What may stand out of a joint; each is a figure of `JointFigures`."""
+    """The figures of `JointFigures` that may be notable."""
 
     BEHIND = "behind_deg"
     CURRENT = "current_a"
@@ -138,13 +138,13 @@ class JointSign(enum.StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class JointFinding:
-    """A figure of a joint that stands out.
+    """A notable figure of a joint.
 
     Attributes:
         joint: The joint (1–6).
         sign: The figure.
-        value: What was measured.
-        usual: What it was compared with.
+        value: The measured value.
+        usual: The value it was compared with.
         earlier: True if that is the joint's own, of earlier; false if it is that of its peers.
     """
 
@@ -168,15 +168,16 @@ _AGAINST_PEERS: Final = {
     JointSign.MOTOR: (1.0, 15.0),
     JointSign.DRIVER: (1.0, 15.0),
 }
-"""A figure stands out above so many times that of its peers, and this much more."""
+"""A figure is notable above this factor times its peers', plus this offset."""
 _AGAINST_EARLIER: Final = {JointSign.BEHIND: (1.3, 0.1), JointSign.CURRENT: (1.5, 0.1)}
-"""The same against what the joint showed earlier; its warmth depends on the work before."""
+"""The same against the joint's earlier figures; not temperatures, which depend on the work
+before."""
 _SAME_SPEED: Final = 1.25
 """An inspection at a speed that differs by a greater factor is not compared."""
 
 
 def findings(now: InspectionEntry, earlier: Iterable[InspectionEntry]) -> tuple[JointFinding, ...]:
-    """Return what stands out, joint by joint: beside the other joints, and beside earlier times."""
+    """Return the notable figures by joint, compared with other joints and earlier inspections."""
     before = [each for each in earlier if _alike(each.speed_deg_s, now.speed_deg_s)]
     found = []
     for joint in JOINTS:

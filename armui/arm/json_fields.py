@@ -213,4 +213,4 @@ def _numbers(values: object, counts: tuple[int, ...]) -> tuple[float, ...] | Non
     if not isinstance(values, list) or len(values) not in counts:
         return None
     numbers = tuple([finite(value) for value in values])
-    return None if None in numbers else numbers  # type: ignore[return-value]  # no None is left
+    return None if None in numbers else numbers  # type: ignore[return-value]  # None is excluded

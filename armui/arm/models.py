@@ -39,7 +39,7 @@ _SPEEDS: Final = {"known": False, "assumed": True}
 Rising = tuple[float, float, float, float]
 """How much the X, Y and Z axis of the base rise in the room, and the base's height there, mm."""
 STANDING: Final[Rising] = (0.0, 0.0, 1.0, 0.0)
-"""Of a base that stands upright on the floor."""
+"""The rise of a base that stands upright on the floor."""
 
 
 class ModelFileError(Exception):
@@ -324,8 +324,7 @@ class ArmModel:
         held: What the hand holds.
         frames: The names of the cell's user frames, and their poses in the base.
         rising: How much each axis of the base rises in the room, and the base's height there, mm.
-        around: What a check looks at beside the arm, as text: work area and lowest height; "" for
-            nothing.
+        around: The work area and the lowest height of checks, as text; "" for neither.
     """
 
     limits: tuple[JointLimits, ...]

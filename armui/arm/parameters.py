@@ -38,6 +38,7 @@ _MOST_ACCELERATION_DEG_S2: Final = 1800.0
 _MOST_END_LIMIT: Final = 32.766
 """One step below 0x7FFF, which means «leave it» in generation 2."""
 _ANGLE_SLACK_DEG: Final = 0.05
+"""Half the step of 0.1° in which frames carry angle limits (0x473, 0x474)."""
 _RATE_SLACK: Final = 1.02
 """The rounding of a factory value to the coarse steps of generation 1 (rpm)."""
 _CORRUPT_SPEED_DEG_S: Final = 3600.0

@@ -32,7 +32,7 @@ class ReferenceRecord:
         off_deg: What that check found: the joints that were off, each with its degrees.
         pose_deg: The pose taught as reference for joints without a mark, six angles; empty: none.
         photo: The file with a photo of the arm in that pose; "" if there is none.
-        inspections, resumes: What the last ones of each have shown, the newest last.
+        inspections, resumes: The results of the last ones of each, the newest last.
     """
 
     doubtful: tuple[int, ...] = ()

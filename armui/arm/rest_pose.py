@@ -8,8 +8,8 @@ from typing import Final
 REST_DEG: Final = (0.0, -1.999, 1.971, -1.412, 22.110, -2.608)
 """The six angles in degrees, joint 1 first, as a PiPER told them when it was switched on in 2026.
 
-Joints 2 and 3 lie 2° outside their limits, and the hand lies on the base. Nothing public tells it
-of the other models.
+Joints 2 and 3 lie 2° outside their limits, and the hand lies on the base. For the other models it
+is not published.
 """
 
 _OLDER_ZEROS_DEG: Final = (0.0, -2.0, 2.0, 0.0, 0.0, 0.0)

@@ -325,8 +325,8 @@ class ArmState(NamedTuple):
     def in_time_for_s(self, now_s: float, since_s: float = -math.inf) -> float:
         """Return for how long the six angles have arrived in time, up to the last that did.
 
-        Whoever holds it against the arm that something has not happened within a time takes this
-        for the time: it is 0 while angles do not arrive, and after a gap it begins anew.
+        Use this as the elapsed time where the arm is judged by something not happening in time: it
+        is 0 while no angles arrive, and restarts after a gap.
 
         Args:
             now_s: Monotonic time.
@@ -348,7 +348,7 @@ class ArmState(NamedTuple):
     def end_pose(self) -> Six[float] | None:
         """Return X, Y, Z in mm and RX, RY, RZ in degrees, or ``None`` while one is unknown.
 
-        One that is not heard while the joint angles are is none of the place the arm is at.
+        A pose whose frames have stopped while the joint angles still arrive does not count.
         """
         angle_s = max((each.at_s for each in self.joints_deg if each is not None), default=0.0)
         heard = all(each is None or is_fresh(each.at_s, angle_s) for each in self.pose)
@@ -377,7 +377,7 @@ def _six_values(heard: Six[Reading[float] | None]) -> Six[float] | None:
     return (a.value, b.value, c.value, d.value, e.value, f.value)
 
 
-# What of a state means the same in both generations of the protocol.
+# The part of a state that means the same in both generations of the protocol.
 #
 # The frames of both share identifiers and lengths. Before it is known which one an arm speaks, what
 # the other would read differently is not known at all.

@@ -186,7 +186,7 @@ class Tracker:
             **self._records,
         )
 
-    # What each message changes ----------------------------------------------------------------
+    # The effect of each message ---------------------------------------------------------------
 
     def _make_handlers(self) -> dict[str, Callable[[_Signals, float], None]]:
         handlers: dict[str, Callable[[_Signals, float], None]] = {
@@ -225,7 +225,7 @@ class Tracker:
         return on_angles
 
     def _last_gap(self) -> Reading[float] | None:
-        """Return the last time for which a pair of angles did not arrive, and when it ended."""
+        """Return the length of the last gap in the angles, and when it ended."""
         last = max(self._arrivals, key=lambda each: each.gap_ended_s)
         return Reading(last.gap_s, last.gap_ended_s) if last.gap_s else None
 
@@ -238,7 +238,7 @@ class Tracker:
             self._foreign_targets_s[place] = at_s
 
     def _all_targets_s(self) -> float | None:
-        """Return when the oldest of the three was heard: a single one may be a stray frame."""
+        """Return when the oldest of the three targets was heard; one alone may be a stray frame."""
         times = [at_s for at_s in self._foreign_targets_s if at_s is not None]
         return min(times) if len(times) == len(_TARGET_MESSAGES) else None
 

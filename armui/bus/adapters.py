@@ -127,10 +127,10 @@ def interfaces() -> list[str]:
 
 
 def find_devices() -> list[Device]:
-    """Ask every back-end what is plugged in; takes up to some seconds.
+    """Search for devices with every back-end; takes up to some seconds.
 
-    A back-end that is not installed, or fails while it looks, has no devices. What may be an
-    adapter, and may be something else, comes last.
+    A back-end that is not installed, or fails while it looks, has no devices. Serial ports, which
+    may or may not be adapters, come last.
     """
     found: list[Device] = []
     _offer_libusb()
@@ -138,7 +138,7 @@ def find_devices() -> list[Device]:
         for interface in sorted(can.VALID_INTERFACES - _NOT_DEVICES):
             try:
                 configs = can.detect_available_configs([interface], timeout=_SEARCH_S)
-            except Exception:  # noqa: BLE001, S112 - drivers of others: any of them may fail in any way
+            except Exception:  # noqa: BLE001, S112 - third-party drivers may raise anything
                 continue
             found += [_device(interface, config) for config in configs]
         found += _serial_adapters()
@@ -146,12 +146,12 @@ def find_devices() -> list[Device]:
 
 
 def _serial_adapters() -> list[Device]:
-    """Return the serial ports on the USB: slcan adapters are among them and say no more."""
+    """Return the serial ports on the USB: slcan adapters cannot be told from other ones."""
     try:
         from serial.tools.list_ports import comports  # noqa: PLC0415 - of the extra `adapters`
 
         ports = [port for port in comports() if port.vid is not None]
-    except Exception:  # noqa: BLE001 - the system's list of ports may fail in any way
+    except Exception:  # noqa: BLE001 - the list of ports may raise anything
         return []
     return [Device("slcan", port.device, serial=port.serial_number or None) for port in ports]
 
@@ -178,7 +178,7 @@ def open_bus(device: Device) -> can.BusABC:
 
 
 def _offer_libusb() -> None:
-    """Have pyusb know the libusb of a Python package: Windows and macOS bring none of their own.
+    """Give pyusb the libusb of a Python package: Windows and macOS have none of their own.
 
     pyusb keeps the library it was given first.
     """
@@ -191,9 +191,9 @@ def _offer_libusb() -> None:
 def _keep_kernel_queue_short(bus: can.BusABC) -> None:
     """Let socketcan hold as few frames of ours as the kernel allows.
 
-    What lies in the kernel cannot be recalled and goes out when a cable is plugged in again. With
-    the smallest buffer the socket tells early that it takes no more, and the rest waits here, where
-    a stop, age or a loss drops it.
+    A frame in the kernel cannot be recalled, and is sent when a cable is plugged in again. With the
+    smallest buffer the socket soon reports that it is full, and the rest waits in the outbox, where
+    a stop, its age or the loss of the device drops it.
     """
     if device_socket := getattr(bus, "socket", None):
         with suppress(OSError, AttributeError):
@@ -241,14 +241,14 @@ def _device(interface: str, config: Mapping[str, Any]) -> Device:
         channel=channel if isinstance(channel, int) else str(channel),
         bitrate=DEFAULT_BITRATE if bitrate_is_ours(interface) else None,
         serial=serial,
-        # socketcan's answers name nothing its constructor wants beside the channel
+        # socketcan's constructor needs nothing but the channel
         options=() if interface == "socketcan" else tuple(sorted(rest.items())),
     )
 
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Keep what back-ends log about missing drivers off a terminal where nobody set up logging."""
+    """Suppress the back-ends' log messages on missing drivers if no logging is set up."""
     handler = logging.NullHandler()
     logging.getLogger().addHandler(handler)
     try:

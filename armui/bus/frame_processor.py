@@ -113,7 +113,7 @@ class FrameProcessor:
         """
         try:
             self._process(frame, at_s, flags)
-        except Exception:  # noqa: BLE001 - an error of ours must not take the bus, or the log, away
+        except Exception:  # noqa: BLE001 - an error of ours must not end the reading
             self._count_failed(frame)
 
     def _process(self, frame: Frame, at_s: float, flags: int) -> None:
@@ -154,9 +154,9 @@ class FrameProcessor:
         self.publish()
 
     def _count_failed(self, frame: Frame) -> None:
-        """Count a frame as invalid that could not be taken in; the first of an identifier is told.
+        """Count a frame as invalid whose processing failed; log the first of each identifier.
 
-        There may be thousands a second: each that is logged takes a millisecond from the bus.
+        There may be thousands a second, and logging one takes a millisecond of the bus thread.
         """
         self._tracker.count_invalid(InvalidFrameKind.VALUE_OUTSIDE_TABLE)
         if frame.arbitration_id not in self._failed_ids:

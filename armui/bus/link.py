@@ -41,6 +41,7 @@ HEARD_S: Final = 0.5
 _QUESTIONS: Final = 3
 """The frames that must have gone out into the silence, questions of ours included."""
 _QUESTION_S: Final = 0.5
+"""The interval of questions to a silent bus."""
 _DEAF_S: Final = 2.0
 """After this silence an adapter that sends and reports no error counts as deaf."""
 
@@ -69,7 +70,7 @@ class BusReport(NamedTuple):
     """A report of the bus thread on its device.
 
     Attributes:
-        state: What it is doing.
+        state: The state of the device.
         device: The device.
         problem: Why it is ``BLOCKED``, ``DEAF``, ``LOST`` or ``FAILED``.
         worker: The number of the thread that says so.

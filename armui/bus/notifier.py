@@ -87,7 +87,7 @@ class Notifier:
         self._tell(lambda listener: listener.on_error_frame(), self._told)
 
     def _update_told(self) -> None:
-        """Begin to tell those who came, and tell those who left no more."""
+        """Start passing frames to added listeners, and stop for removed ones."""
         wanted = self._followed = self._wanted
         self._failed = [each for each in self._failed if each in wanted]
         came = [each for each in wanted if each not in self._told and each not in self._failed]
@@ -107,7 +107,7 @@ class Notifier:
         for listener in tuple(listeners):
             try:
                 word(listener)
-            except Exception:  # noqa: BLE001 - whatever it is: receiving goes on
+            except Exception:  # noqa: BLE001 - receiving must go on
                 self._give_up(listener)
 
     def _decoded(self, codec: Codec) -> list[ReceivedFrame]:

@@ -48,11 +48,11 @@ class _Batch:
     """The frames of one call of :meth:`Outbox.put`: all go out, or none.
 
     Attributes:
-        frames: Those that are not out yet.
+        frames: Its frames that have not been sent yet.
         until_s: After this time none of it may begin.
         command: The number of the command it belongs to; ``None``: of none.
         press: The press it belongs to; ``None``: of none.
-        begun: Its first frame is out: the rest belongs to it.
+        begun: True once its first frame has been sent; the rest must follow.
     """
 
     frames: deque[Frame]
@@ -71,7 +71,7 @@ class _Port:
 
     Attributes:
         driver: Held while a frame is in the driver.
-        in_driver_since_s: Since when one is.
+        in_driver_since_s: Since when a frame is in the driver; ``None`` if none is.
         direct: A stop is written by the thread that asks for it; else by the sending thread.
     """
 
@@ -225,7 +225,7 @@ class Outbox:
             port = self._port
             if port is not None:
                 # The stop is queued before anything is dropped, so that nothing can lose it (S3);
-                # one that waits already is not queued twice.
+                # a frame that is queued already is not added again.
                 self._urgent.extend(frame for frame in frames if frame not in self._urgent)
             self._drop_waiting()
             if port is None:
@@ -282,7 +282,7 @@ class Outbox:
         return not any(frame in self._urgent for frame in frames)
 
     def _await(self, frames: Sequence[Frame], port: _Port) -> None:
-        """Give the sending thread a moment, unless the driver is known to be held up."""
+        """Wait briefly for the sending thread, unless the driver is known to be blocked."""
         now_s = self._clock()
         since_s = [port.in_driver_since_s, self._failing_since_s]
         if all(each is None or now_s - each <= _PATIENCE_S for each in since_s):
@@ -324,13 +324,13 @@ class Outbox:
                         break
                     if not self._send(port, frame, batch, 0.0):
                         break
-            except Exception:  # noqa: BLE001, S110 - drivers of others raise anything; who stops goes on
-                pass  # the sending thread meets the same and reports that the bus is gone
+            except Exception:  # noqa: BLE001, S110 - a driver's error must not reach the caller
+                pass  # The sending thread gets the same error, and reports the loss of the bus.
             finally:
                 port.driver.release()
 
     def _next(self, port: _Port) -> tuple[Frame | None, _Batch | None]:
-        """Return what is to be sent next, and its batch; it stays queued until it is out."""
+        """Return the next frame to send, and its batch; it stays queued until it was sent."""
         with self._changed:
             if self._port is not port:
                 return None, None
@@ -342,7 +342,7 @@ class Outbox:
             return self._batches[0].frames[0], self._batches[0]
 
     def _send(self, port: _Port, frame: Frame, batch: _Batch | None, timeout_s: float) -> bool:
-        """Put one frame on the bus; false if the transmit queue is full just now."""
+        """Put one frame on the bus; return false if the transmit queue is full at the moment."""
         message = can.Message(
             arbitration_id=frame.arbitration_id, data=frame.data, is_extended_id=False, check=False
         )
@@ -369,7 +369,7 @@ class Outbox:
                     self._failing_since_s = began_s
 
     def _is_out(self, port: _Port, frame: Frame, batch: _Batch | None, began_s: float) -> None:
-        """Take a frame that is out from its queue, unless the queue has been emptied meanwhile."""
+        """Remove a sent frame from its queue, unless the queue has been emptied meanwhile."""
         with self._changed:
             if self._port is not port:
                 return
@@ -420,7 +420,7 @@ class SendingThread(threading.Thread):
             while self._outbox.wait_for_work(self._bus):
                 if not self._outbox.send_waiting():
                     self._pause.wait(_RETRY_S)
-        except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the bus thread tells
+        except Exception as error:  # noqa: BLE001 - a driver error: the bus thread reports it
             self.failure = error
 
     def end(self) -> None:

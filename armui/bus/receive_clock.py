@@ -1,4 +1,4 @@
-"""Tells when the system received a frame, as opposed to when the bus thread read it: pure.
+"""Determines when the system received a frame, which the bus thread may read later: pure.
 
 A thread that was held up, by a busy computer or a sleeping one, finds a backlog. Frames of a
 backlog are old: taken as new they would show the arm at a former place, and keep it online.

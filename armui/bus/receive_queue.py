@@ -82,14 +82,14 @@ class ReceiveQueue:
 
 
 def _socket_of(bus: can.BusABC) -> socket.socket | None:
-    """Return a second handle on the bus's socket; ``None``: there is none to ask."""
-    system: str = sys.platform  # its type: checked for every system
+    """Return a second handle on the bus's socket; ``None`` if the bus has no socket."""
+    system: str = sys.platform  # `str` for mypy: checked for every system
     if system != "linux":
         return None
     try:
         number = bus.fileno()
         return None if number < 0 else socket.socket(fileno=os.dup(number))
-    except Exception:  # noqa: BLE001 - no socket, or a driver of others, which raises anything
+    except Exception:  # noqa: BLE001 - no socket, or a driver's error
         return None
 
 

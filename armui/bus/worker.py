@@ -77,7 +77,7 @@ class BusWorker(QThread):
         codec: The protocol to begin with; see :meth:`use_codec`.
         clock: Monotonic time in seconds.
         listen_only: Only urgent frames are sent: the operator's stop.
-        number: The number of this thread in its reports; a late report can be told by it.
+        number: The number of this thread in its reports, by which a late report is recognised.
         listeners: Objects that are told of every frame.
 
     Attributes:
@@ -205,7 +205,7 @@ class BusWorker(QThread):
                 with self._opener(self._device) as bus:
                     was_open = True
                     self._use(bus)
-            except Exception as error:  # noqa: BLE001 - drivers of others raise anything; the thread lives on
+            except Exception as error:  # noqa: BLE001 - third-party drivers raise anything; go on
                 # A device that is unplugged is no failure of the program; an error in its own code
                 # is one, and is told (S23).
                 level = logging.ERROR if was_open and is_our_own(error) else logging.WARNING
@@ -241,7 +241,7 @@ class BusWorker(QThread):
             self._queue.detach()
 
     def _look_after_bus(self) -> None:
-        """Report when frames get out no more, or none come in, and when they do again."""
+        """Report when no frame can be sent or received any more, and when it works again."""
         now_s, blocked = self._clock(), self._outbox.blocked
         if self._health.follow_silence(now_s, self._outbox.frames_out) and not blocked:
             self._outbox.put(query_limits(self._processor.codec, 1))
@@ -255,7 +255,7 @@ class BusWorker(QThread):
 
     def _receive_burst(self, bus: can.BusABC) -> None:
         message = bus.recv(_RECEIVE_S)
-        self._received.begin()  # after so short a wait: a longer one was a thread held up in it
+        self._received.begin()  # after the wait, which is short unless the thread was delayed
         now_s = self._clock()
         taken = 0
         while message is not None:
@@ -281,7 +281,7 @@ class BusWorker(QThread):
         if message.is_error_frame:
             self._health.on_error_frame(message.arbitration_id)
             self._queue.note_error(message)
-        elif message.is_rx:  # what a neighbour on this computer sends shows no hearing
+        elif message.is_rx:  # frames of this computer do not prove reception
             self._health.on_frame(now_s)
         odd = message.is_error_frame or message.is_extended_id or message.is_remote_frame
         frame = Frame(message.arbitration_id, bytes(message.data))

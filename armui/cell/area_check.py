@@ -1,4 +1,4 @@
-"""Tells where the arm comes too near to planes and boxes of its work area.
+"""Finds where the arm comes too near to planes and boxes of its work area.
 
 The arm is the capsules of :mod:`armui.cell.enclosure`, which enclose every part that moves, with
 the tool and what the hand holds. A gap is the distance of a capsule's surface from a plane or a
@@ -50,7 +50,7 @@ _FLANGE: Final = 6
 _MOST_PAIRS: Final = 200_000
 _DROP_MM: Final = 25.0
 _BESIDE_MM: Final = 50.0
-"""What is this near to the way straight down counts as below."""
+"""A plane or box within this distance of the line straight down counts as below."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +93,7 @@ class AreaCheck:
     Args:
         area: The work area; what is switched off in it does not count.
         body: The arm with what it carries.
-        rising: How the base stands in the room.
+        rising: The rise of the base's axes in the room, and its height.
     """
 
     def __init__(self, area: Area, body: Body, rising: Rising = STANDING) -> None:
@@ -134,13 +134,13 @@ class AreaCheck:
         return self._area.margin_mm
 
     def is_too_near(self, entry: AreaEntry) -> bool:
-        """Return whether a standing arm is too near; what is measured wavers within the slack."""
+        """Return whether a standing arm is too near; measurements may waver within the slack."""
         return entry.gap_mm < self.margin_mm - SLACK_MM
 
     def gaps(self, joints_deg: npt.ArrayLike) -> Array:
         """Return (n, zones) the least gap of the arm to each plane and box at (n, 6) angles.
 
-        What nothing of the arm counts against is infinitely far.
+        A zone that no part of the arm is checked against is infinitely far.
         """
         return self._nearest(joints_deg)[0]
 
@@ -191,7 +191,7 @@ class AreaCheck:
     def below(self, joints_deg: Sequence[float]) -> tuple[str, ...]:
         """Return the names of what an arm that sinks from six angles may come to.
 
-        It falls in arcs, whichever way: what is below any part of it counts, or little beside.
+        The way it falls is not known: whatever is below or close beside any part of it counts.
         """
         ends = self._moved.all_ends(self._moved.frames(np.array([joints_deg], dtype=float)))[0]
         up, base_mm = np.array(self._rising[:3]), self._rising[3]
@@ -220,7 +220,7 @@ class AreaCheck:
             known = known.reshape(*middles.shape[:2], -1) - self._moved.radii_mm[:, None]
             known[:, self._skipped] = np.inf
             half = np.linalg.norm(ends[:, :, 1] - middles, axis=2)
-            # only what may be nearer than the middle of something else is looked at exactly
+            # Exact distances are computed only where a capsule may be the nearest one.
             pose, capsule, zone = np.nonzero(
                 known - half[:, :, None] <= known.min(axis=1, keepdims=True) + _SAME_MM
             )
@@ -233,10 +233,10 @@ class AreaCheck:
         return gaps, nearest
 
     def finely(self, way_deg: Array) -> Array:
-        """Return (n, 6) poses on a way; between two that are near to anything little moves."""
+        """Return (n, 6) poses on a way, close together where the arm is near to something."""
         travels_mm = np.radians(np.abs(np.diff(way_deg, axis=0))) @ self._reaches_mm
         gaps = self.gaps(way_deg).min(axis=1, initial=np.inf)
-        # what is that far away at either end does not come within the margin between them
+        # With such gaps at both ends no part can come within the margin in between.
         clear = np.minimum(gaps[:-1], gaps[1:]) - travels_mm / 2.0 >= self.margin_mm
         steps = np.where(clear, 1, np.ceil(travels_mm / _LOOKED_MM)).astype(np.int64)
         steps = np.maximum(steps, 1)
@@ -270,7 +270,7 @@ def carried_body(
         shape, area = held_shape(held), cell.area
         touched = frozenset(held.may_touch)
         for rods, others in ((shape.hull, area.planes), (shape.edges, area.boxes)):
-            # planes are asked of the edges, which are exact, boxes of the hull
+            # Planes are checked against the edges, which are exact, boxes against the hull.
             skips = touched | {zone.name for zone in others}
             body = body.with_more(
                 *(

@@ -1,4 +1,4 @@
-"""A cell: what is fixed to the arm and stands around it, by name."""
+"""A cell: the parts fixed to the arm and the objects around it, by name."""
 
 from __future__ import annotations
 

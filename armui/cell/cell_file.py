@@ -93,7 +93,7 @@ def from_text(text: str, name: str) -> Cell | Refusal:
         values = json.loads(text)
     except json.JSONDecodeError as error:
         return CELL_NO_JSON(line=error.lineno, column=error.colno)
-    except (ValueError, RecursionError):  # a number of thousands of digits; lists in lists in lists
+    except (ValueError, RecursionError):  # a huge number; deeply nested lists
         return CELL_FOREIGN()
     if not isinstance(values, dict) or values.get("format") != FORMAT:
         return CELL_FOREIGN()

@@ -42,13 +42,13 @@ class CellInForce:
 
 
 def cell_in_force(cell: Cell) -> CellInForce:
-    """Return what holds of a cell."""
+    """Return the parts of a cell that are in force."""
     tool, area = cell.chosen_tool or Tool(""), cell.area.in_force
     return CellInForce(cell.name, tool, cell.held_object, area, cell.chosen_frame, cell.placement)
 
 
 def to_entry(holding: CellInForce) -> dict[str, object]:
-    """Return it as a line of a recording's sidecar; what is not there is left out."""
+    """Return it as a line of a recording's sidecar, without absent parts."""
     entry: dict[str, object] = {"cell": holding.name, "tool": parts.to_entry(holding.tool)}
     if holding.held is not None:
         entry["held"] = parts.to_entry(holding.held)
@@ -62,7 +62,7 @@ def to_entry(holding: CellInForce) -> dict[str, object]:
 
 
 def from_entry(entry: Mapping[str, Any]) -> CellInForce:
-    """Return what a line of a sidecar tells; a part that is missing or no good is left out."""
+    """Return the parts in a line of a sidecar; missing or invalid ones are left out."""
     name = entry.get("cell")
     return CellInForce(
         name if isinstance(name, str) else "",
@@ -75,7 +75,7 @@ def from_entry(entry: Mapping[str, Any]) -> CellInForce:
 
 
 def all_through(told: Sequence[CellInForce]) -> CellInForce:
-    """Return what held at each of some moments, part by part; what changed is left out."""
+    """Return the parts that were equal at all of some moments; those that changed are left out."""
     nothing = CellInForce()
     tools_told = {each.tool.pose: each.tool for each in told}
     same = {

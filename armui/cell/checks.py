@@ -65,8 +65,8 @@ def check_figure(
         name: The thing that it belongs to.
         field: The figure's name, with its unit.
         value: The figure, of whatever type.
-        minimum: The least.
-        maximum: The most.
+        minimum: The least allowed value.
+        maximum: The greatest allowed value.
     """
     figure = finite(value)
     if figure is not None and minimum <= figure <= maximum:

@@ -63,7 +63,7 @@ def _nearest_shares(begin: Array, along: Array, half: Array) -> Array:
     places = begin[:, :, None] + along[:, :, None] * shares[:, None]
     beyond = places - np.clip(places, -half[:, :, None], half[:, :, None])
     slopes = np.einsum("mis,mi->ms", beyond, along)
-    # the least value lies between the last place to which it falls and the first it rises from
+    # The least value lies between the last falling and the first rising stretch.
     rising = slopes > 0.0
     low = np.where(rising, 0.0, shares).max(axis=1)
     high = np.where(rising, shares, 1.0).min(axis=1)
@@ -91,7 +91,7 @@ def _depths(begin: Array, along: Array, half: Array) -> Array:
     worst = (values[:, None, :] + at[..., None] * slopes[:, None, :]).max(axis=2)
     where = worst.argmin(axis=1)
     depths, share = worst[rows, where], at[rows, where]
-    # of the sides that count there, the one that falls most and the one that rises most
+    # of the active sides, the one that falls most and the one that rises most
     counts = values + share[:, None] * slopes >= depths[:, None] - _SAME_MM
     falling = np.where(counts, slopes, np.inf).argmin(axis=1)
     rising = np.where(counts, slopes, -np.inf).argmax(axis=1)

@@ -71,7 +71,7 @@ class Body:
 
     Attributes:
         geometry: The arm's geometry, with its zeros.
-        capsules: What encloses it.
+        capsules: The capsules that enclose it.
     """
 
     geometry: Geometry

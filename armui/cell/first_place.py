@@ -24,31 +24,31 @@ Whole = npt.NDArray[np.int64]
 Flags = npt.NDArray[np.bool_]
 
 RESOLUTION_MM: Final = 0.5
-"""What is too near by less than this may be told as too near, or not; nothing nearer is missed."""
+"""A part too near by less than this may be reported or not; anything nearer is always found."""
 _ROUNDING_MM: Final = 1e-6
 _CUT: Final = 4
-"""Each part that is not clear is cut into so many."""
+"""The number of pieces into which a part that is not clear is cut."""
 _BULGE_MM: Final = 25.0
 """The first parts are as long as bulges of about this allow."""
 _MOST_AT_ONCE: Final = 200_000
 _TINY: Final = 1e-300
 _PLACES: Final = 101
 _PLAIN: Final = 11
-"""So many figures without a spread."""
+"""The number of figures of a row without a spread."""
 
 
 class Supports(Protocol):
-    """Obstacles: what `Obstacles` is, or anything else that is convex."""
+    """The interface of obstacles: those of a work area, or any other convex shapes."""
 
     def __len__(self) -> int:
-        """Return how many."""
+        """Return the number of obstacles."""
 
     def supports(self, ends: Array, which: Whole) -> Array:
         """Return what `Obstacles.supports` returns."""
 
 
 class Facing(Supports, Protocol):
-    """Obstacles that can be looked at coarsely, too."""
+    """The interface of obstacles that can also be checked coarsely."""
 
     def facing(self, places: Array) -> tuple[Array, Array]:
         """Return what `Obstacles.facing` returns."""
@@ -62,7 +62,7 @@ class FirstPlace:
         at: The place on the way: 0 is its first pose, 1 the next one, 1.5 midway to the third.
         capsule: The index of what moves.
         obstacle: The index of what it is too near to.
-        gap_mm: How near; with a spread, how near it may be at most.
+        gap_mm: The distance there; with a spread the least possible one.
     """
 
     at: float
@@ -71,7 +71,7 @@ class FirstPlace:
     gap_mm: float
 
     def between(self, poses: int) -> tuple[int, float]:
-        """Return the pose before the place on a way of so many, and the share to the next one."""
+        """Return the pose before the place on a way of `poses` poses, and the share behind it."""
         index = max(min(int(self.at), poses - 2), 0)
         return index, self.at - index
 
@@ -160,7 +160,7 @@ class _Way:
         return np.append(places, self.last)
 
     def parts(self, begins: Array, ends: Array) -> _Parts:
-        """Return what is between some places and others."""
+        """Return the parts of the way between pairs of places."""
         first, last = self.poses(begins), self.poses(ends)
         strays = np.zeros((len(begins), JOINT_COUNT))
         long = np.flatnonzero(ends - begins > 1.0)
@@ -195,7 +195,7 @@ def place_between(obstacles: Supports, line: Array, radius_mm: float, obstacle: 
     places = np.linspace(line[0], line[1], _PLACES)
     which = np.full(_PLACES, obstacle)
     supports = obstacles.supports(np.repeat(places[:, None], 2, axis=1), which)
-    # of a line beside a plane or an edge the middle
+    # the middle, if the line is parallel to a plane or an edge
     nearest = np.flatnonzero(supports[:, 0] <= supports[:, 0].min() + _ROUNDING_MM)
     at = nearest[len(nearest) // 2]
     place: list[float] = (
@@ -209,8 +209,8 @@ class PlaceSearch:
     """Searches ways for the first place at which something that moves is too near to an obstacle.
 
     Args:
-        moving: What moves.
-        obstacles: What it may be too near to.
+        moving: The moved capsules.
+        obstacles: The obstacles from which a distance is kept.
         coarse: Fewer capsules that enclose all of it, and which of them each is in; needs
             obstacles that are `Facing`.
     """
@@ -227,8 +227,8 @@ class PlaceSearch:
     ) -> FirstPlace | None:
         """Return the first place on a way at which something is nearer than it may be, or ``None``.
 
-        ``None`` holds for all of the way. A place that is told may be too near by up to
-        `RESOLUTION_MM` less than nothing; it never lies behind the first that is.
+        ``None`` holds for all of the way. A place returned may miss being too near by up to
+        `RESOLUTION_MM`; it never lies behind the first that is too near.
 
         Args:
             way_deg: (n, 6) the way; between two poses the joints turn evenly.
@@ -291,7 +291,7 @@ class PlaceSearch:
         used, which = np.unique(rows.part, return_inverse=True)
         begins, ends = parts.begins[used, None], parts.ends[used, None]
         places = begins + (ends - begins) * (np.arange(_CUT + 1) / _CUT)
-        # where a part has poses in it, it is cut at them
+        # a part with poses in it is cut at the poses
         np.rint(places, out=places, where=ends - begins > 1.0)
         frames = self._moving.frames(way.poses(places[:, 1:-1].ravel()))
         inner = (which[:, None] * (_CUT - 1) + np.arange(_CUT - 1)).ravel()
@@ -314,7 +314,7 @@ class PlaceSearch:
     def _judged(
         self, parts: _Parts, rows: _Rows, least_mm: Array
     ) -> tuple[_Rows, FirstPlace | None]:
-        """Return what is neither clear nor told, and the first place that is told."""
+        """Return the rows that are undecided, and the first place that is too near."""
         moving, capsule = self._moving, rows.capsule
         least = least_mm[capsule, rows.obstacle] - _ROUNDING_MM
         reaches, radii = moving.reaches_mm[capsule], moving.radii_mm[capsule]
@@ -337,7 +337,7 @@ class PlaceSearch:
         beyond = strays + _moved_mm(parts.widest[rows.part], reaches)
         near = gaps[0] - _moved_mm(parts.spreads[rows.part], reaches)
         if rows.begin.shape[1] > _PLAIN:
-            # how much of what is off leads towards the obstacle
+            # the part of the spread that leads towards the obstacle
             spread = parts.spreads[rows.part] * moves
             rises = np.abs(np.stack((rows.begin[:, _PLAIN:], rows.end[:, _PLAIN:])))
             rises = rises.reshape(2, -1, 2, JOINT_COUNT)
@@ -379,7 +379,7 @@ class PlaceSearch:
     def _not_clear(
         self, parts: _Parts, frames: Array, least_mm: Array
     ) -> tuple[Whole, Whole, Whole]:
-        """Return part, capsule and obstacle of what is not clear by the coarse capsules."""
+        """Return part, capsule and obstacle of the pairs that the coarse capsules do not clear."""
         asked = least_mm > -np.inf
         if self._coarse is None:
             capsule, obstacle = np.nonzero(asked)
@@ -426,7 +426,7 @@ def _checked(
 
 
 def _between(values: Array, at: Array) -> Array:
-    """Return (c, 6) what goes evenly from each of (n, 6) values to the next, at places."""
+    """Return (c, 6) values at places, interpolated linearly between (n, 6) values."""
     index = np.minimum(at.astype(np.int64), len(values) - 2)
     begin, end = values[index], values[index + 1]
     found: Array = begin + (at - index)[:, None] * (end - begin)
@@ -444,7 +444,7 @@ def _weights(turns: Array) -> Array:
 
 
 def _lead(turns: Array, first: Whole) -> Array:
-    """Return (m, 6) what the first joint that turns at all adds to `_weights`.
+    """Return (m, 6) the contribution to `_weights` of the first joint that turns.
 
     That part of the bulge is square to the axis of this joint.
     """

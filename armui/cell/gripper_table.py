@@ -50,11 +50,11 @@ class GripperTable:
     pairs: Pairs
 
     def measured_mm(self, asked_mm: float) -> float:
-        """Return the opening there is where the arm is asked for, or reports, one."""
+        """Return the measured opening for one that is commanded or reported."""
         return _interpolated(self.pairs, asked_mm)
 
     def asked_mm(self, measured_mm: float) -> float:
-        """Return the opening to ask the arm for, so that one is there."""
+        """Return the opening to command, so that the wanted one is measured."""
         return _interpolated([(there, asked) for asked, there in self.pairs], measured_mm)
 
 
@@ -98,7 +98,7 @@ def from_entries(entries: Iterable[Fields]) -> Pairs:
 
 
 def _interpolated(pairs: Sequence[tuple[float, float]], value: float) -> float:
-    """Return the figure between two pairs; beyond the ends the last piece goes on."""
+    """Return the interpolated figure; beyond the ends the last piece is extended."""
     pieces = list(pairwise(pairs))
     (x, y), (x2, y2) = next((piece for piece in pieces if value <= piece[1][0]), pieces[-1])
     return y + (value - x) * (y2 - y) / (x2 - x)

@@ -28,7 +28,7 @@ class HeldObject:
         size_mm: Its edges along the axes of that frame. Of a rod Z is its whole length, and the
             larger of X and Y its diameter.
         is_rod: True for a rod with round ends, a capsule; False for a box.
-        mass_kg: How heavy it is.
+        mass_kg: Its mass.
         may_touch: The names of the planes and boxes of the work area that it may touch.
     """
 

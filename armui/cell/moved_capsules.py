@@ -76,7 +76,7 @@ class MovedCapsules:
         steps = np.cos(angles) * self._cosines
         steps += np.sin(angles) * self._sines
         steps += self._fixed
-        # zeros: `rises` looks at links before a base, too, of which it then takes nothing
+        # Zeros, as `rises` also reads the links before a base, which then contribute nothing.
         frames = np.zeros((len(joints_deg), _FRAMES * len(self._bases), 4, 4))
         for row, base in enumerate(self._bases):
             place = row * _FRAMES + base
@@ -112,7 +112,7 @@ class MovedCapsules:
             frames: As in `ends`.
             poses: Likewise.
             capsules: Likewise.
-            ends: What it returned.
+            ends: The result of `ends`.
             directions: (m, 3) the direction for each capsule.
 
         Returns:

@@ -10,7 +10,7 @@ from armui.arm.json_fields import Fields
 from armui.cell.checks import FIGURES, SIZES
 
 _FIGURES: Final = {"pose": FIGURES, "size_mm": SIZES}
-"""What becomes several fields."""
+"""The attributes that become several fields of a file."""
 
 Part = TypeVar("Part")
 

@@ -24,9 +24,9 @@ _UPS: Final = {
     Mounting.ON_THE_RIGHT_SIDE: (0.0, 1.0, 0.0),
     Mounting.UPSIDE_DOWN: (0.0, 0.0, -1.0),
 }
-"""Where up is in the base of an arm that is mounted so."""
+"""The direction of up in the base frame, for each mounting."""
 _SAME_COSINE: Final = 0.94
-"""Of 20°: an arm that is tilted by less is told the mounting all the same."""
+"""The cosine of 20°: an arm tilted by less than that still counts as mounted so."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,6 +48,7 @@ MOST_POSES: Final = 12
 WANTED_DEG: Final = 15.0
 """Each axis of the flange should have pointed this far apart."""
 WORST_CONDITION: Final = 1000.0
+"""Above this condition number the poses are too much alike to determine a tip."""
 DEFAULT_LIMIT_MM: Final = 1.0
 _LEAST_OFF_MM: Final = 5.0
 _RANK: Final = 6
@@ -81,7 +82,7 @@ class TipFit:
         point_mm: The fixed point in the base.
         residuals_mm: The distance of the tip from that point, by pose.
         condition: The condition number of the equations.
-        spread: How different the orientations are.
+        spread: The differences of the orientations.
     """
 
     tip_mm: tuple[float, float, float]
@@ -209,7 +210,7 @@ def _touching(flange: Pose, point: Array) -> Array:
 def _orientation(forward: Array, near_x: Array) -> tuple[float, float, float]:
     """Return the orientation with a given Z, whose X is as near as possible to a direction."""
     x = near_x - (near_x @ forward) * forward
-    if np.linalg.norm(x) < 1e-6:  # it is along Z, so any X will do: this one keeps the flange's Y
+    if np.linalg.norm(x) < 1e-6:  # parallel to Z: take an X that keeps the flange's Y
         x = np.cross(np.array((0.0, 1.0, 0.0)), forward)
     x /= np.linalg.norm(x)
     matrix = np.eye(4)

@@ -85,7 +85,7 @@ class Area:
 
     @property
     def in_force(self) -> Area:
-        """The area with nothing but what is switched on."""
+        """The area with only those planes and boxes that are switched on."""
         return replace(self, planes=_on(self.planes), boxes=_on(self.boxes))
 
     @property

@@ -1,7 +1,7 @@
 """Carries out the operator's actions: each is checked, sent and followed in the feedback.
 
-The controller lives in the GUI thread. It never waits: a tick looks at what the bus thread has
-heard and moves on whatever is under way.
+The controller lives in the GUI thread. It never blocks: each tick of its timer takes in what the
+bus thread has received, and advances whatever is under way.
 """
 
 from __future__ import annotations
@@ -66,10 +66,11 @@ QUESTION_WITHDRAWN = Notice(
 
 
 _TICK_MS: Final = 33
-"""The feedback is taken in, and everything under way advanced, about 30 times a second."""
+"""The period of the timer that takes in the feedback and advances everything under way."""
 _SENT_WITHIN_S: Final = 0.15
+"""At its end the program waits this long for queued frames, such as an abort, to be sent."""
 _END_S: Final = 1.0
-"""At the end of the program it waits this long for the device and for a search."""
+"""At its end the program waits this long for the device to be closed, and for a search."""
 
 
 class ArmController(ControllerParts):
@@ -119,7 +120,7 @@ class ArmController(ControllerParts):
         background: Background | None = None,
     ) -> None:
         super().__init__(parent)
-        # connected first: others who receive the signal ask for the entry
+        # Connected first: other receivers of the signal look up the log entry that this slot makes.
         self.noticed.connect(self._on_noticed)
         self._replays = make_worker is not None
         self._background = background
@@ -163,12 +164,12 @@ class ArmController(ControllerParts):
 
     @property
     def state(self) -> ArmState:
-        """The arm as last heard."""
+        """The arm's state at the last tick."""
         return self._state
 
     @property
     def newest(self) -> ArmState:
-        """The arm as heard up to this moment, for any thread."""
+        """The arm's state up to this moment; may be read from any thread."""
         return self._connection.newest
 
     @property
@@ -191,7 +192,7 @@ class ArmController(ControllerParts):
 
         Args:
             question: Its title in the operator's language.
-            reason: Why not.
+            reason: Why it no longer counts.
         """
         self._tell(QUESTION_WITHDRAWN, question=question, reason=reason)
 
@@ -221,7 +222,7 @@ class ArmController(ControllerParts):
         self._parts.set_parts(self._all_parts(), last=self.recovery)
         self.cell.begin_device(device)
         if not self._replays:
-            self.sessions  # noqa: B018 - it keeps every frame, from the first on
+            self.sessions  # noqa: B018 - creates it: it keeps every frame from the first on
         self._connection.open(device)
         self._timer.start()
         self._refresh()
@@ -264,6 +265,8 @@ class ArmController(ControllerParts):
         self._connection.wait_until_sent(_SENT_WITHIN_S)
         self.disconnect_device()
         closed = self._connection.end(_END_S)
+        # Parts are created at first use, so only those in `vars` exist; the others have nothing to
+        # end.
         written = "sessions" not in vars(self) or self.sessions.end()
         unread = "gamepad" not in vars(self) or self.gamepad.end()
         self.gate.end()
@@ -296,8 +299,8 @@ class ArmController(ControllerParts):
 
         Args:
             name: The id, a key of :attr:`operations`.
-            *arguments: Those of its method.
-            **named: Those of its method that have names.
+            *arguments: The positional arguments of its method.
+            **named: The keyword arguments of its method.
 
         Returns:
             The record of the command, or why it was refused; ``None`` where nothing began: an
@@ -320,14 +323,14 @@ class ArmController(ControllerParts):
         """Take in the feedback and advance what is under way; the controller's timer calls it."""
         now_s = self._clock()
         before = self._state
-        attempt = self._parts.attempt  # a stop is repeated, and motion ended, whatever else fails
+        attempt = self._parts.attempt  # a part that fails keeps no other from running
         attempt("Connection", lambda: self._hear(now_s))
         attempt("Stopping", lambda: self._follow_stop(now_s))
         attempt("AuthorityWatch", lambda: self._watch.follow_arm(now_s))
         attempt("Assessor", self._assessor.assess)
         self._parts.follow_arm()
         attempt("LinkWatch", lambda: self._link_watch.follow_handshake(self._state))
-        attempt("Assessor", self._assessor.assess, step="2")  # again: parts have begun and ended
+        attempt("Assessor", self._assessor.assess, step="2")  # parts have acted meanwhile
         self._parts.follow_arm_last()
         attempt("MotionEnd", lambda: self._motion_end.retry_end(now_s))
         self._authority.failed = self._motion_end.stuck or not self._parts.in_order
@@ -410,7 +413,7 @@ class ArmController(ControllerParts):
         elif notice == CONNECT_FAILED:
             self._timer.stop()
             self._forget_arm()
-        # jumping in a log is not told as a loss
+        # Going to another place of a replayed log breaks the link, too; that is no loss to report.
         if report.device.recorded is None or notice not in LINK_BREAKS:
             self._tell(notice, device=report.device, reason=report.problem)
         self._refresh()
@@ -447,7 +450,7 @@ class ArmController(ControllerParts):
         self._refresh()
 
     def _end_all_motion(self) -> None:
-        """Let no part go on with what a halt has ended, and no target come back."""
+        """End the activity of every part after a halt, and drop the targets that may come back."""
         self._end_driven()
         if frames := clearing_frames(self._context):
             self._connection.send_urgent(frames)

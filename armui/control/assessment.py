@@ -26,11 +26,11 @@ def assess(
     offsets: OffsetFollower,
     now_s: float,
 ) -> OperatingState:
-    """Return what the operator can do.
+    """Return the operating state: the actions open to the operator, and the reasons against others.
 
     Args:
         state: The arm as last heard.
-        known: What the program knows beside that: what follows from it is put in here.
+        known: The program's own knowledge beside that; the results are filled in here.
         authority: Knows who moves the arm.
         offsets: Follows the arm's identifiers.
         now_s: Monotonic time.

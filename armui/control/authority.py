@@ -1,7 +1,8 @@
 """Knows who moves the arm and what our own command is: pure, fed by frames heard and sent.
 
-Everything that moves the arm asks here first and tells here what it has sent. A command of ours is
-the place the next step starts from while it is the last one the arm got; `End` lists what ends it.
+Every part that moves the arm asks here first, and reports here what it has sent. The next step
+starts from the target of our command while that is the last one the arm received; `End` lists what
+ends a command.
 """
 
 from __future__ import annotations
@@ -58,23 +59,24 @@ MET_MOVING = Reason(
 )
 
 ARRIVED_DEG: Final = 0.5
-"""A joint this close to its target has arrived: under load it may sag by that much."""
+"""A joint this close to its target has arrived: under load it may sag by this angle."""
 
 _TAKEN_IN_S: Final = 0.3
 """For this long after a frame was sent, the status last heard may be older than the frame."""
 _BEGINS_S: Final = 0.1
 """An arm that was given a target says within this time that it has not reached it."""
 _SHOWN_S: Final = 0.05
-"""A status this much later than a mode word was reported after it."""
+"""A status received this long after a mode word was sent already shows the new mode."""
 _REST_SHOWS_S: Final = 0.4
-"""An arm that only sets out at a cancel is measured to move by then."""
+"""If the arm begins to move only as a cancel arrives, the motion is measured within this time."""
 _CANCEL_WITHIN_S: Final = 1.0
 """After a cancel the arm is measured at rest within this time."""
 _REPLAY_SHOWS_S: Final = 1.5
-"""An arm that was told to follow its own recording shows it by then."""
+"""An arm that was told to follow its own recording reports that within this time."""
 _OURS: Final = frozenset({ControlMode.STANDBY, ControlMode.CAN_CONTROL})
 _PLANNED: Final = frozenset({MoveMode.MOVE_P, MoveMode.MOVE_J, MoveMode.MOVE_L, MoveMode.MOVE_C})
 _CANCEL_AGAIN_S: Final = 0.3
+"""If the arm still moves this long after a cancel, the cancel is sent again: it may be lost."""
 _MOVING_FRESH_S: Final = 0.05
 """The angles of a moving arm are too old to set out from after this time."""
 
@@ -112,12 +114,12 @@ class Authority:
         self._held_since_s = 0.0
         self._mode_sent: tuple[MoveMode, float] | None = None
         self._mode_left_s = -math.inf
-        """When the last mode word has left at the earliest: it may wait."""
+        """The earliest time at which the last mode word can have left; it may wait in the queue."""
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
-        """When that was sent which the arm has had the time to take in, by what is heard of it."""
+        """When the newest command was sent to which the arm has had the time to react."""
         self._given_s = -math.inf
-        """When the arm was given a target last, or a word to go on to one."""
+        """When the arm was last sent a target, or told to continue to one."""
         self._braking: tuple[float, int] | None = None
         self._stood = False
         self._left_by_another = True
@@ -139,7 +141,7 @@ class Authority:
         self.revision = 0
         self.unconfirmed_cell: Refusal | None = None
 
-    # What is heard ------------------------------------------------------------------------------
+    # Observation --------------------------------------------------------------------------------
 
     def observe(self, seen: Observation) -> None:
         """Take in an observation; end our command if something has ended it."""
@@ -159,7 +161,8 @@ class Authority:
         if end is not None:
             self._end(end)
         if seen.waiting and self.command is not None:
-            # what has not left is not shown by what the arm reports: neither its mode nor its end
+            # The feedback cannot show the mode or the end of a command that still waits in the
+            # queue.
             self.command, self._held_since_s = replace(self.command, sent_s=now_s), now_s
             if self._mode_left_s > self._taken_in_s:
                 self._mode_left_s = now_s
@@ -179,7 +182,7 @@ class Authority:
 
     @property
     def at_rest(self) -> bool:
-        """True if the joints are measured to stand still."""
+        """True if the measured angles show that the joints stand still."""
         return self._rest.at_rest
 
     @property
@@ -192,9 +195,9 @@ class Authority:
 
     @property
     def about_to_move(self) -> bool:
-        """True from a command or a word to go on of ours, until the arm has had the time for it.
+        """True from sending a target or «continue» until the arm has had the time to react.
 
-        It is not measured to move by then, and may wait for the adapter.
+        In that time it is not measured to move yet, and the frames may wait for the adapter.
         """
         status = None if self._seen is None else self._seen.state.status
         given_s = max(self._given_s, self._mode_left_s)
@@ -319,10 +322,10 @@ class Authority:
 
     @property
     def seems_to_hold_another(self) -> bool:
-        """The same, unless the arm stands short because its motion was ended from here.
+        """True as :attr:`may_hold_another`, unless our own cancel left the arm short of its target.
 
-        A silence hides what another host may have done in it: it is dropped before the next motion,
-        but an arm that was merely heard late is not said to hold something back.
+        What another host sent during a silence is not known, so a held motion is dropped before the
+        next one; but an arm whose feedback was merely late is not reported to hold one back.
         """
         return self.may_hold_another and not self._cut_short
 
@@ -373,7 +376,7 @@ class Authority:
 
     @property
     def most_percent(self) -> int:
-        """The highest speed, in %, that what the arm does may be given: some ways are slow."""
+        """The highest speed, in %, that the present motion may be given; some are capped."""
         command, seen = self.command, self._seen
         status = None if seen is None else seen.state.status
         arrived = not self.under_way and status is not None and status.value.reached
@@ -382,8 +385,8 @@ class Authority:
     def mode_in_force(self) -> tuple[ControlMode, MoveMode] | None:
         """Return the arm's modes: as reported, or as sent if it had no time to report them.
 
-        ``None`` where a mode word with them cannot be sent: nobody knows them, or somebody else
-        has the command.
+        ``None`` where a mode word with them cannot be sent: they are unknown, or another host has
+        the command.
         """
         seen = self._seen
         status = None if seen is None else seen.state.status
@@ -405,7 +408,7 @@ class Authority:
         sent, status = self._mode_sent, None if self._seen is None else self._seen.state.status
         return sent is not None and (status is None or status.at_s < sent[1] + _SHOWN_S)
 
-    # What is sent -------------------------------------------------------------------------------
+    # Commands sent ------------------------------------------------------------------------------
 
     def begin(
         self,
@@ -432,7 +435,7 @@ class Authority:
             joints_deg: Six target angles, where it names them.
             tool: The target of the tool centre point, where it names it.
             leads_away: True if the tool was measured elsewhere than its target.
-            pace: Of a line or an arc: how fast the tool goes at 100 %.
+            pace: The tool's speed at 100 % along a line or an arc.
             started: The operation that it carries out.
             way: The way that the gate has passed.
             most_percent: The highest speed that it may be given on its way.
@@ -522,7 +525,7 @@ class Authority:
 
         Args:
             now_s: Monotonic time.
-            end: What ends our command by it.
+            end: The cause by which our command ends.
         """
         self._end(end)
         self.revision += 1
@@ -533,7 +536,7 @@ class Authority:
         self._cancelled_s, self.cancel_unheeded = now_s, False
 
     def cancel_is_due(self, now_s: float) -> bool:
-        """Return whether the end of the motion is to be told once more; true once for each.
+        """Return whether the cancel is to be sent once more; true once for each cancel.
 
         Its frame may be lost: the joints still move when they could have begun to brake.
         """
@@ -562,7 +565,7 @@ class Authority:
         """The number of the newest command; frames of lower numbers are outdated."""
         return self._number
 
-    # How it is judged ---------------------------------------------------------------------------
+    # Evaluation ---------------------------------------------------------------------------------
 
     def _end(self, reason: End) -> None:
         if self.command is None:
@@ -575,7 +578,7 @@ class Authority:
         self._number += 1
 
     def _slow_down(self, percent: int, now_s: float) -> None:
-        """Give a line or an arc the time to brake: until then it may be as fast as it was."""
+        """Allow a line or an arc its former speed for the time that it takes to brake."""
         command = self.command
         if command is None or command.pace is None:
             return
@@ -650,7 +653,7 @@ class Authority:
         measured_deg = state.angles_deg()
         seen = self._seen
         if seen is None or not state.in_time(seen.now_s):
-            return None  # angles that came late do not show whether it moved
+            return None  # late angles do not show whether it moved
         if self.under_way or self.holds or measured_deg is None:
             return None
         if command.joints_deg is None:
@@ -665,14 +668,14 @@ class Authority:
         return End.MOVED_AWAY if away_deg > ARRIVED_DEG else None
 
     def _follow_hold(self, seen: Observation) -> None:
-        """Take what the arm itself has dropped for held back no more."""
+        """Clear the holds of a motion that the arm itself has finished or dropped."""
         status = seen.state.status
         if not self.holds or status is None or not status.fresh(seen.now_s):
             return
         in_time = seen.state.in_time_for_s(seen.now_s, self._held_since_s) > _TAKEN_IN_S
         taken_in = in_time and status.at_s - self._held_since_s > _TAKEN_IN_S
         if status.value.reached and taken_in:
-            self.holds -= {Hold.SPEED_ZERO}  # it had arrived: nothing is left to hold back
+            self.holds -= {Hold.SPEED_ZERO}  # it had arrived already
         left = taken_in and status.value.control_mode != ControlMode.CAN_CONTROL
         stopped = status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         if left or stopped or any_motor_off(seen.state, seen.now_s):
@@ -697,7 +700,7 @@ class Authority:
         stopped = status is not None and status.value.arm_status == ArmStatusCode.EMERGENCY_STOP
         replays = status is not None and is_own_replay(status.value)
         led = state is not None and in_drag_teaching(state) and not replays
-        # Another host, a stop or a hand rules the arm now: our cancel has nothing left to end.
+        # Another host, a stop or a hand controls the arm now: our cancel has nothing left to end.
         moved = self.other.commands or stopped or led
         if moved or (self.at_rest and shows):
             self._cancelled_s, self.cancel_unheeded = None, False

@@ -1,4 +1,4 @@
-"""Gives the authority what the link hears, and tells the operator what the authority finds."""
+"""Passes the feedback to the authority, and reports to the operator what the authority finds."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class AuthorityWatch:
         end_motion: Ends our motion with a reason.
 
     Attributes:
-        authority: What it feeds.
+        authority: The authority that it feeds.
     """
 
     def __init__(

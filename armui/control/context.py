@@ -83,7 +83,7 @@ class Context:
             return True
         if authority.may_be_ours or authority.about_to_move or now.occupied is not None:
             return False
-        # in a silence a motion of ours may go on
+        # without feedback a motion of ours may still go on
         heard_at_rest = now.link is LinkState.ONLINE and authority.at_rest
         return heard_at_rest or authority.number == 0
 
@@ -104,8 +104,8 @@ class Context:
 
         Args:
             started: The command.
-            ending: How it ended.
-            notice: What the operator is told.
+            ending: The way it ended.
+            notice: The notice for the operator.
             **params: The figures of that.
         """
         close_and_tell(self.tell, self.clock(), started, ending, notice, **params)
@@ -115,10 +115,10 @@ class Context:
         report_and_tell(self.tell, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """Return why no motion frame of ours may be sent by who moves the arm now, or ``None``.
+        """Return why no motion frame may be sent now, by who moves the arm, or ``None``.
 
-        The check that every motion frame passes: it judges by what is heard at this very moment,
-        not by the controller's last tick.
+        Every motion frame passes this check, which uses the newest feedback and not that of the
+        controller's last tick.
         """
         self.observe()
         return self.authority.why_not()
@@ -229,7 +229,7 @@ class Context:
         return further
 
     def cancel_frames(self) -> list[Frame]:
-        """Return what drops another host's motion that the arm may hold back (0x150 byte 1 = 6).
+        """Return frames that drop another host's motion held back in the arm (0x150 byte 1 = 6).
 
         It precedes each 0x151 that would set such a motion going.
         """
@@ -264,8 +264,8 @@ class Context:
 class ControllerPart:
     """A part of the controller that follows something over time.
 
-    A part has those of the three in which it has something to do. One without `halt` is not
-    touched by a stop: a motion under way ends with the arm's own, and a setting moves nothing.
+    A part overrides those of the three methods that it needs. One without `halt` has nothing to do
+    at a stop: it drives no motion of its own.
     """
 
     def follow_arm(self) -> None:

@@ -101,7 +101,7 @@ class ControllerParts(QObject):
         return Gate(self._context, self._scene, self._background)
 
     def _scene(self) -> tuple[object, Callable[[], Rules]]:
-        """Return what the rules depend on, and what makes them."""
+        """Return the objects that the rules depend on, and a function that makes the rules."""
         now, lowest_mm = self._context.operating_state(), self.jog_floor.lowest_mm
         tool = (self.cartesian.tool, self.cartesian.tool_radius_mm)
         of = (now.limits, now.model, now.model_fit.geometry, self.cell.cell, tool, lowest_mm)
@@ -264,7 +264,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def inspection(self) -> Inspection:
-        """The part that has each joint swing, and compares what that shows."""
+        """The part that has each joint swing, and compares the measurements."""
         now = self._context.clock
         return Inspection(self._context, self.replayer, self.reference, lambda: self._wall(now()))
 
@@ -276,7 +276,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def sinking(self) -> SinkingControl:
-        """The part that warns while the arm moves though nothing holds it or told it to (S37)."""
+        """The part that warns while the arm moves without power or without a command (S37)."""
         return SinkingControl(
             self._context,
             self.jog_floor.height_mm,
@@ -363,7 +363,7 @@ class ControllerParts(QObject):
 
     @cached_property
     def model_watch(self) -> ModelWatch:
-        """The part that compares the chosen model with what the arm tells."""
+        """The part that compares the chosen model with the arm's reports."""
         return ModelWatch(self._context)
 
     @cached_property
@@ -415,7 +415,7 @@ class ControllerParts(QObject):
         rest = (self.cell, self.reference, self.episodes)
         return Operations((*parts, *more, *motions, *runs, *rest))
 
-    # What more than one part ends -------------------------------------------------------------
+    # Ending activities of several parts -------------------------------------------------------
 
     def _end_driven(self) -> None:
         self.player.stop()
@@ -428,12 +428,12 @@ class ControllerParts(QObject):
         self.replayer.end_run(reason)
 
     def _forget_places(self) -> None:
-        """Forget the places asked for: the angles are counted anew, and none means the same."""
+        """Forget all targets: after a change of zero the same angles mean other places."""
         self._context.authority.end_command(End.ZERO_CHANGED)
         self.reference.places_change()
         self.player.drop()
 
-    # What the controller itself does ----------------------------------------------------------
+    # Declared as operations of the controller itself ------------------------------------------
 
     def emergency_stop(self) -> None:
         """See :meth:`ArmController.emergency_stop`."""

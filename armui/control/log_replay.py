@@ -49,7 +49,7 @@ class LogReplay(QObject):
         channel: The channel that is shown.
         arm: The facts on the arm in the log.
         name: The name shown to the operator.
-        parent: Qt's.
+        parent: The parent object.
 
     Attributes:
         session, channel: As given.
@@ -148,11 +148,11 @@ class LogReplay(QObject):
                 atexit.unregister(forgotten[2][0].end_in_time)
         return ended
 
-    # Where it stands --------------------------------------------------------------------------
+    # Position and state -----------------------------------------------------------------------
 
     @property
     def position_s(self) -> float:
-        """The log time that is shown or is being gone to."""
+        """The log time that is shown, or that the replay is going to."""
         return self.clock() if self._going_to is None else self._going_to
 
     @property
@@ -172,7 +172,7 @@ class LogReplay(QObject):
 
     @property
     def last_frame(self) -> ReplayedFrame | None:
-        """The frame that was taken in last."""
+        """The frame that was processed last."""
         return None if self._worker is None else self._worker.last
 
     @property
@@ -190,7 +190,7 @@ class LogReplay(QObject):
         share = (history.reached_s - history.begin_s) / max(history.end_s - history.begin_s, 1e-9)
         return history.begin_s, min(worker.curves_from_s, history.end_s), share
 
-    # Beside what is played --------------------------------------------------------------------
+    # Reading beside the replay ----------------------------------------------------------------
 
     def read_whole(self, longest_s: float, then: Callable[[], object]) -> CurveHistory:
         """Return the curves of the whole log, which a thread of their own reads meanwhile.
@@ -292,7 +292,7 @@ class LogReplay(QObject):
             self._number = self._worker.ask_for(self._going_to)
             self.moved.emit()
 
-    # What the thread tells --------------------------------------------------------------------
+    # Reports of the thread --------------------------------------------------------------------
 
     def _on_found(self, number: int) -> None:
         worker = self._worker
@@ -329,7 +329,7 @@ def _end(worker: LogWorker) -> None:
 
 
 def _wall(at_s: float) -> datetime:
-    """Log time counts from 1970, or from the beginning of the log where nobody noted more."""
+    """Return the local time of a log time, which counts from 1970 or from the log's beginning."""
     return local_time(at_s) or datetime.fromtimestamp(0).astimezone()
 
 

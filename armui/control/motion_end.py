@@ -29,8 +29,9 @@ _MOTION_COMMAND: Final = 0x150
 """The identifier of stop, resume and trajectory commands, without an offset."""
 _OPEN: Final = frozenset({LinkState.ONLINE, LinkState.OFFLINE})
 _REST_WITHIN_S: Final = 0.5
-"""The end of the program waits at most so long for the arm to rest."""
+"""The longest time that the end of the program waits for the arm to rest."""
 _AGAIN_S: Final = 0.1
+"""The end is sent again this often until the arm rests; rest reported earlier may be outdated."""
 _LOOK_S: Final = 0.02
 _OWED_S: Final = 10.0
 """A lost device that comes back within this time is sent the end of the motion."""
@@ -44,7 +45,7 @@ class MotionEnd:
 
     Args:
         controller: Has the parts.
-        context: What they share.
+        context: The context that the controller's parts share.
         stopping: Knows whether a stop is outstanding, which makes any other end needless.
 
     Attributes:
@@ -107,9 +108,10 @@ class MotionEnd:
         authority.failed = True
         moves = authority.command is not None or authority.may_be_ours or authority.is_ending
         told = moves and not self._stopping() and _succeeds(self._abort)
-        # made with the first device: one made here would belong to this thread
+        # The gripper's part exists from the first device on; made here, it would belong to this
+        # thread.
         if "gripper" in vars(self._controller):
-            _succeeds(self._end_gripper)  # behind it: what waits is dropped by what is urgent
+            _succeeds(self._end_gripper)  # after the abort, which drops all that waits
         return told
 
     def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
@@ -157,7 +159,7 @@ class MotionEnd:
         if now_s - self._ended_s > _OWED_S or connection.device is None:
             self._ended_s, self._was_lost = None, False
         elif self._was_lost and connection.link in _OPEN:
-            # the failure took the device along, and the end of the motion with it
+            # The device was lost together with the abort that was sent: repeat it.
             self._ended_s, self._was_lost = None, False
             if not authority.other.commands:
                 self._abort()
@@ -184,19 +186,19 @@ class MotionEnd:
             abort_motion(self._context)
 
     def _drop_own_replay(self) -> None:
-        """Await no replay of the arm's own: it has been ended as a single motion."""
+        """Drop the request for the arm's own replay, which was ended as a single motion."""
         self._controller.teaching.drop_replay()
 
     def _end_gripper(self) -> None:
         self._controller.gripper.end_travel()
 
     def _reason(self) -> Refusal:
-        """Tell why something ends; after a stop the arm is told nothing more."""
+        """Return the reason for the end; during a stop the one after which nothing is sent."""
         stopped = self._stopping()
         return Refusal(RUN_STOPPED if stopped else self._code)
 
     def _owe_end(self) -> None:
-        """The arm may go on with a motion of ours while its adapter is lost: end it afterwards."""
+        """Note that a motion of ours must be ended when the lost adapter comes back."""
         now_s = self._context.clock()
         if now_s - self._moved_s <= _OWED_S:
             self._ended_s, self._was_lost = now_s, True
@@ -207,7 +209,7 @@ class MotionEnd:
     def _abort_once(self) -> None:
         try:
             number = self._context.authority.number
-        except Exception:  # noqa: BLE001 - it may be what fails
+        except Exception:  # noqa: BLE001 - this part may be the one that fails
             number = 0
         if number != self._aborted and not self._stopping():
             self._aborted = number
@@ -220,7 +222,7 @@ class MotionEnd:
             return
         try:
             frames = ending_frames(connection)
-        except Exception:  # noqa: BLE001 - it may be what fails
+        except Exception:  # noqa: BLE001 - this part may be the one that fails
             frames = [Frame(_MOTION_COMMAND + each, data) for data in _ABORTS for each in OFFSETS]
         connection.send_urgent(frames)
 

@@ -85,7 +85,7 @@ class OperatingState:
         run_phase: The phase of the run, or the way the last one ended.
         jogging: A jog is held.
         recording: The program records where the arm goes.
-        episode: What can be marked in the log that is being written.
+        episode: The marks that are possible in the log being written.
         altering: The setting being changed that motions rely on, or ``None``.
         run_sets_lamps: The run under way signals by the lamps.
         pending: The parts whose last request the arm has not answered yet, by the names that
@@ -115,10 +115,10 @@ class OperatingState:
         model_fit: The chosen model, and whether the arm's reports fit it.
         reference: The state of the joints' reference.
         below_base_mm: The depth of flange or fingertip below the floor, or ``None``.
-        below_lowest_mm: The same below the least height that is chosen for motions.
+        below_lowest_mm: The depth below the least height chosen for motions, or ``None``.
         outside: The joints measured outside their limits, with their bounds, for a sentence; "" if
             none is.
-        intrusion: Where the arm is too near to its work area, or ``None``.
+        intrusion: The place where the arm is too near to its work area, or ``None``.
         keeps_area: True if a plane or a box of the work area is switched on.
         unconfirmed_cell: Why the cell kept for the adapter is not in force yet; nothing moves then.
         uncommanded: What is measured of an arm that moves though no motor holds it or nothing told

@@ -66,7 +66,7 @@ class Parts:
         self._follow_arm(self._last)
 
     def halt(self) -> None:
-        """Have each part give up what would move the arm; see :meth:`ControllerPart.halt`."""
+        """Have each part end its motions; see :meth:`ControllerPart.halt`."""
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.halt)
 

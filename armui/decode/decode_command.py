@@ -157,7 +157,7 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
     jumps = GripperJumps()
     for batch in batches:
         if detector is not None and not detector.certain:
-            # what comes through a pipe is shown at once, and its beginning not again
+            # A pipe is shown as it arrives, and its beginning cannot be read again.
             feed(detector, batch)
             generation, reason = detector.verdict()
             if told != generation:
@@ -256,20 +256,20 @@ class _Layout:
 
 
 def _say_damages(log: LogFile, said: int) -> int:
-    """Says the damaged places met since the last call."""
+    """Print the damaged places met since the last call."""
     for damage in log.damages.since(said):
         _complain(log.path, damage.told())
     return len(log.damages)
 
 
 def _say_notes(log: LogFile, said: int) -> int:
-    """Says what else is to be known of the log, and was not said by the last call."""
+    """Print the notes on the log that are new since the last call."""
     for note in log.damages.notes[said:]:
         _complain(log.path, say_sentence(note.reason, note.params))
     return len(log.damages.notes)
 
 
 def _complain(path: Path, text: str) -> None:
-    # What is already decoded comes first where both outputs meet in one terminal.
+    # Where both outputs share a terminal, the lines decoded so far come first.
     sys.stdout.flush()
     sys.stderr.write(f"armui decode: {path}: {say(text)}\n")

@@ -43,7 +43,7 @@ _KINDS: Final = {
 
 
 class _Reading(NamedTuple):
-    """The message in a frame, and what is odd about it, by kind and detail."""
+    """The message in a frame, and its fault, if any, as kind and detail."""
 
     message: Message | None
     invalid_frame: tuple[str, str] | None
@@ -55,7 +55,7 @@ class _Entry(NamedTuple):
     Attributes:
         identifier: In hexadecimal.
         channel: Its name, "" for the first one.
-        reading: What the frame says.
+        reading: The decoded content.
         data: Its payload, shown where nothing can be read.
         gaps: Signals to be filled in later.
     """
@@ -125,7 +125,7 @@ class LineFormat:
     def _with_plans(
         self, batch: FrameBatch, rows: NDArray[np.intp], key: int
     ) -> Iterator[tuple[NDArray[np.intp], _MessagePlan | None]]:
-        """Frames with the same identifier and channel, those with the same signals together."""
+        """Yield groups of one identifier and channel whose frames have the same signals."""
         layout = self._codec.layout(key & 0xFFFFFFFF)
         if layout is None:
             yield rows, None
@@ -157,7 +157,7 @@ class LineFormat:
     def _group(
         self, batch: FrameBatch, rows: NDArray[np.intp], plan: _MessagePlan | None
     ) -> Sequence[str]:
-        """Lines of frames with the same identifier and channel."""
+        """Return the lines of frames with the same identifier and channel."""
         if plan is None:
             return [self._single(batch, row) for row in rows.tolist()]
         lengths = batch.lengths[rows]
@@ -182,13 +182,13 @@ class LineFormat:
                 template % values if (template := templates[code]) else self._single(batch, row)
                 for row, code, values in filled_in
             ]
-        except KeyError:  # more combinations than are kept: some were dropped again meanwhile
+        except KeyError:  # a template was dropped, as too many are in use
             return [self._single(batch, row) for row in rows.tolist()]
 
     def _template(self, plan: _MessagePlan, arbitration_id: int, code: int) -> str:
-        """The line of every frame with these codes; a "%" is filled in by what differs.
+        """Return the line of every frame with these codes, with a "%" for each value that differs.
 
-        "" where these codes make a frame unreadable: then each has a line of its own.
+        It is "" if these codes make a frame unreadable: then each frame gets a line of its own.
         """
         data = code.to_bytes(8, "big")[: plan.layout.length]
         decoded = self._codec.decode(Frame(arbitration_id, data))
@@ -200,7 +200,7 @@ class LineFormat:
         return self._line_of(entry)
 
     def _single(self, batch: FrameBatch, row: int) -> str:
-        """The line of one frame, whatever it is."""
+        """Return the line of one frame of any kind."""
         logged = batch.frame(row)
         width = 8 if logged.flags & FrameFlag.EXTENDED else 3
         entry = _Entry(
@@ -219,7 +219,7 @@ class LineFormat:
         return _reading_of(self._codec.decode(entry.frame))
 
     def _line_of(self, entry: _Entry) -> str:
-        """The line but for its time, which a "%" stands for."""
+        """Return the line with a "%" in place of its time."""
         return self._json(entry) if self._as_json else self._text(entry)
 
     def _text(self, entry: _Entry) -> str:
@@ -287,7 +287,7 @@ def _reading_of(decoded: Message | InvalidFrame) -> _Reading:
 
 
 def _names(codec: Codec, message: Message) -> list[str]:
-    """The signals a frame has, in the order of its bits."""
+    """Return the names of a frame's signals, in the order of its bits."""
     return [name for name in codec.signals(message.name) if name in message.signals]
 
 
@@ -296,5 +296,5 @@ def _channel_name(batch: FrameBatch, index: int) -> str:
 
 
 def _literal(text: str) -> str:
-    """Text that stays as it is when a template is filled in."""
+    """Return text escaped so that filling in a template leaves it unchanged."""
     return text.replace("%", "%%")

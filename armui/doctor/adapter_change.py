@@ -203,7 +203,7 @@ class AdapterChange:
         self._late = threading.Timer(_GO_S, self._on_late)
         self._late.daemon = True
         self._late.start()
-        with contextlib.suppress(OSError, ValueError):  # it has ended: its last word says why
+        with contextlib.suppress(OSError, ValueError):  # it has ended; its output says why
             process.stdin.write("go\n")
             process.stdin.flush()
 
@@ -215,11 +215,11 @@ class AdapterChange:
         if self._late is not None:
             self._late.cancel()
         if process is not None:
-            with contextlib.suppress(OSError):  # root's, once the password was given
+            with contextlib.suppress(OSError):  # after the password it is root's: not ours to kill
                 process.kill()
             if process.stdin is not None:
                 with contextlib.suppress(OSError, ValueError):
-                    process.stdin.close()  # which a helper that waits for «go» takes for a no
+                    process.stdin.close()  # without «go» the helper gives up
 
     def wait(self, within_s: float) -> bool:
         """Wait up to a time, and return whether it has ended."""

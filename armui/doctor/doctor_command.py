@@ -72,7 +72,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--no-listen", action="store_true", help="leave the bus alone: open no device"
     )
-    # what may end its process is looked at in another one
+    # A probe that may crash is run in a process of its own.
     parser.add_argument("--try", dest="trial", choices=sorted(TRIALS), help=argparse.SUPPRESS)
     parser.add_argument(
         "--report",
@@ -107,14 +107,14 @@ def run(options: argparse.Namespace, probes: Probes = Probes()) -> int:
 def _print_text(text: str) -> None:
     try:
         sys.stdout.write(text)
-    except UnicodeEncodeError:  # a terminal that knows no Chinese
+    except UnicodeEncodeError:  # a terminal that cannot show Chinese
         sys.stdout.write(text.encode("ascii", "backslashreplace").decode("ascii"))
 
 
 def _keep(path: Path, text: str, json_text: str, words: Words) -> bool:
-    """Write the report of a problem; whether that went well.
+    """Write the report of a problem; return whether it was written.
 
-    Standard output may be read as JSON, so what became of it stands on the other one.
+    Standard output may be read as JSON, so the result is printed to standard error.
     """
     files = collect(doctor_files(text, json_text))
     saved = save(path, files)
@@ -136,7 +136,7 @@ def gather_facts(options: argparse.Namespace, probes: Probes) -> Facts:
 def _listen(options: argparse.Namespace, can: CanFacts, probes: Probes) -> tuple[HeardFacts, ...]:
     try:
         from armui.arm.device import DEFAULT_BITRATE, Device, bitrate_is_ours  # noqa: PLC0415
-    except ImportError:  # what is missing is among the findings
+    except ImportError:  # the missing package is reported as a finding
         return ()
     down = {each.name for each in can.links if not each.up}
     if options.interface is None:

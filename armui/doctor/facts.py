@@ -91,9 +91,9 @@ class LinkFacts:
     """A CAN interface of Linux, as ``ip`` shows it.
 
     Attributes:
-        name: can0.
-        kind: can or vcan.
-        up: Switched on.
+        name: Its name, as can0.
+        kind: Its kind, can or vcan.
+        up: True if it is switched on.
         state: The controller's state: ERROR-ACTIVE, ERROR-PASSIVE, BUS-OFF…; "" for vcan.
         bitrate: In bit/s; None for vcan, or if none is set.
         listen_only: The controller acknowledges nothing and sends nothing.

@@ -208,7 +208,7 @@ def _traffic(frames: Sequence[TimedFrame], asked: frozenset[int]) -> OtherTraffi
 
 
 def _targets_only(counts: Counter[int], offsets: list[int]) -> bool:
-    """Joint targets, and nobody who gives feedback: a teaching-input arm."""
+    """Return whether there are joint targets without feedback: a teaching-input arm."""
     targets = all(counts[each] >= _LEAST for each in (0x155, 0x156, 0x157))
     return targets and not offsets
 

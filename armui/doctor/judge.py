@@ -218,7 +218,7 @@ BY_ID: Final = {
 """Every kind of finding by id, for findings read from another process."""
 
 
-# From what there is of CAN devices.
+# Findings on CAN devices.
 
 _USUAL_BITRATE: Final = 1_000_000
 _USBIPD: Final = (
@@ -401,7 +401,7 @@ def _several(links: list[LinkFacts]) -> Diagnosis:
     return SEVERAL(*commands, names=names).mended_by(*remedies)
 
 
-# From the program and the screen.
+# Findings on the program and the screen.
 
 
 def judge(facts: Facts) -> list[Diagnosis]:
@@ -513,7 +513,7 @@ def _install(libraries: tuple[str, ...], families: tuple[str, ...]) -> tuple[str
 
 
 def _installer(families: tuple[str, ...]) -> str:
-    """The command that installs what is named behind it; "" for a system that is not known."""
+    """Return the command that installs packages named behind it; "" for unknown systems."""
     if {"debian", "ubuntu"} & set(families):
         return _APT_INSTALL
     if {"fedora", "rhel"} & set(families):

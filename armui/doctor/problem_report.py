@@ -34,7 +34,7 @@ BUS_FILE: Final = "bus/last-minutes.log"
 """Frames as `candump -L` writes them; the program replays it."""
 _MOST_LOG_BYTES: Final = 5_000_000
 _LOG_S: Final = 14 * 86_400.0
-"""The greatest age of a log: older ones do not tell of a problem of today."""
+"""The greatest age of a log: older ones do not help with a present problem."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ def doctor_files(text: str, as_json: str) -> list[ReportFile]:
 def collect(
     found: Sequence[ReportFile], settings: Path | None = None, logs: Path | None = None
 ) -> tuple[ReportFile, ...]:
-    """Return what was found, with versions, settings and logs; waits for the disk.
+    """Return the findings with versions, settings and logs as files; waits for the disk.
 
     Args:
         found: The findings of the doctor.
@@ -100,7 +100,7 @@ def _distribution() -> Iterator[str]:
 def without_home(text: str) -> str:
     """Return a text in which the user's folder, whose name is private, is called ~."""
     home = str(Path.home())
-    if len(home) < 2:  # of whoever has none, / would be taken out everywhere
+    if len(home) < 2:  # a home of "/" would match everywhere
         return text
     return text.replace(json.dumps(home)[1:-1], "~").replace(home, "~")
 

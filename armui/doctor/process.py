@@ -15,6 +15,7 @@ from armui.doctor.report import findings_of_json
 from armui.system.command_process import CommandProcess
 
 _PATIENCE_S: Final = 180.0
+"""An examination that takes longer hangs, as in a driver, and is ended."""
 _LAST_WORDS: Final = 300
 
 Tell = Callable[[list[Diagnosis] | str], object]
@@ -48,7 +49,7 @@ class DoctorProcess(CommandProcess):
             self._answer(_findings(out, err))
 
     def _answer(self, answer: object) -> None:
-        helper_is_there()  # here, where nobody waits for the disk
+        helper_is_there()  # cached here: this thread may wait for the disk
         super()._answer(answer)
 
 
@@ -65,7 +66,7 @@ def adapter_trouble() -> list[Diagnosis]:
     No device is opened, and python-can is not used. It usually takes some milliseconds, and is
     meant for a thread that may wait. Faults come first, adapters on one USB controller last.
     """
-    helper_is_there()  # whoever shows the findings must not wait for the disk
+    helper_is_there()  # cached for the window, which must not wait
     findings = judge_can(look_at_adapters())
     grave = [
         each

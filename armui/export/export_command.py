@@ -320,10 +320,10 @@ def _request(options: argparse.Namespace) -> ExportRequest:
 
 
 class _Said:
-    """For people.
+    """Reports the export as text for people.
 
     Attributes:
-        heard: True if anybody is there still.
+        heard: True until the reader of the output has gone.
     """
 
     def __init__(self, request: ExportRequest) -> None:
@@ -362,7 +362,7 @@ _TELL_EVERY_S: Final = 0.1
 
 
 class _SaidAsJson(_Said):
-    """For the window, and for scripts."""
+    """Reports the export as lines of JSON, for the window and for scripts."""
 
     def __init__(self) -> None:
         self.heard = True

@@ -51,7 +51,7 @@ class ExportProcess(CommandProcess):
     """One export, which starts at once.
 
     Args:
-        request: What to export.
+        request: The export that is wanted.
         tell: Called until it is over, unless it is ended before.
     """
 
@@ -60,7 +60,7 @@ class ExportProcess(CommandProcess):
         super().__init__(_arguments(request), tell, nicer_by=_NICER_BY)
 
     def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
-        """Pass on what it tells, until it has ended."""
+        """Pass on the process's output until it has ended."""
         if isinstance(process, OSError):
             self._answer(ExportDone(None, process.strerror or str(process)))
             return
@@ -100,7 +100,7 @@ class ExportProcess(CommandProcess):
         return None
 
     def _remove_unfinished(self) -> None:
-        """Remove what a killed process left unfinished, as nobody else does."""
+        """Remove what a killed process left unfinished, which it cannot remove itself."""
         if self._unfinished is not None:
             with contextlib.suppress(OSError):
                 if self._unfinished.is_dir():

@@ -44,8 +44,8 @@ def follow(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
     arms = arm_joints(geometry, targets, nearest_way(geometry, targets[:, 0], starts_deg)[:, None])
     hands = hand_orientations(geometry, arms, targets)
     wrists = bent_wrist(hands)
-    # joint 4 of one bend leaps by half a turn where joint 5 passes through 0: there the other
-    # bend goes on
+    # Where joint 5 passes through 0, joint 4 of one bend leaps by half a turn, and the other bend
+    # continues the path.
     crossed = np.abs(wrapped_deg(np.diff(wrists[:, :, 0, 0], axis=1))) > 90.0
     crossings = np.zeros(arms.shape[:2], dtype=np.int64)
     np.cumsum(crossed, axis=1, out=crossings[:, 1:])
@@ -73,9 +73,9 @@ def nearest_way(geometry: Geometry, targets: Matrix, joints_deg: Matrix) -> npt.
 
 
 def _follow_parallel(geometry: Geometry, targets: Matrix, starts_deg: Matrix) -> Matrix:
-    """`follow` of an arm with a parallel wrist: it stays on its way, by number.
+    """Return what `follow` does, for a parallel wrist: the solution keeps its number.
 
-    Joint 5 does not pass ±90°: there the way leaps, as through any singular pose.
+    Joint 5 does not pass ±90°: there the joints leap, as through any singular pose.
     """
     ways = parallel.solutions(geometry, targets[:, 0])[0]
     gaps = np.abs(wrapped_deg(ways - starts_deg[:, None])).max(axis=2)
@@ -90,7 +90,7 @@ def _follow_parallel(geometry: Geometry, targets: Matrix, starts_deg: Matrix) ->
 
 
 def _step_by_step(hands: Matrix, start_deg: Sequence[float]) -> Matrix:
-    """(n, 3) joints 4–6 for (n, 3, 3) hands in turn: the nearest bend each time."""
+    """Return (n, 3) joints 4–6 for (n, 3, 3) hands in turn, each with the nearest bend."""
     last: Sequence[float] = start_deg
     followed = []
     stretched = bend_deg(hands) < STRETCHED_DEG

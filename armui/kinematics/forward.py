@@ -222,13 +222,13 @@ def _plane_vectors(
 
 
 def _spherical_wrist(ce: Value, se: Value, c4: Value, s4: Value) -> tuple[Vector, ...]:
-    """Forearm, across, axis of joint 4, where joint 5 swings the hand to, axis of joint 5."""
+    """Return forearm, across, axis of joint 4, direction of joint 5's swing, axis of joint 5."""
     forearm, across = (se, 0.0, ce), (ce, 0.0, -se)
     return forearm, across, forearm, (c4 * ce, s4, -c4 * se), (-s4 * ce, c4, s4 * se)
 
 
 def _parallel_wrist(ce: Value, se: Value, c4: Value, s4: Value) -> tuple[Vector, ...]:
-    """The same; joint 5 swings the hand out of the wrist's direction."""
+    """Return the same vectors; joint 5 swings the hand out of the wrist's direction."""
     return (ce, 0.0, -se), (-se, 0.0, -ce), SIDE, (c4, 0.0, -s4), (-s4, 0.0, -c4)
 
 

@@ -118,7 +118,6 @@ class Geometry(NamedTuple):
 
 
 def _kind(rows: tuple[DhRow, ...]) -> Wrist:
-    """Return the kind of arm a table is of."""
     if len(rows) != JOINT_COUNT:
         raise GeometryError(f"a DH table of {len(rows)} rows is no arm of {JOINT_COUNT} joints")
     if not all(math.isfinite(figure) for row in rows for figure in row):

@@ -23,7 +23,7 @@ FINER: Final = 4
 _BEND_SHARE: Final = 0.5
 """The part of an acceleration limit that the path's bends may use up at full speed."""
 _LEAST_RATE: Final = 1e-9
-"""What moves less is rounding: it limits nothing."""
+"""A lower rate is rounding, and limits nothing."""
 _LEAST_BEND: Final = 1e-60
 """The same for bends: small even where it is multiplied by the square of the highest speed."""
 
@@ -113,6 +113,6 @@ def pace(demands: Sequence[Demand]) -> tuple[Values, Values]:
 
 
 def _quotient(limits: Values, wanted: Values, least: float = _LEAST_RATE) -> Values:
-    """Return what is allowed of a unit; infinite where nothing is wanted."""
+    """Return the allowed amount per unit of demand; infinite where the demand is 0."""
     some = wanted > least
     return np.where(some, limits / np.where(some, wanted, 1.0), math.inf)

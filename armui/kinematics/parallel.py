@@ -113,14 +113,14 @@ def missing_mm(geometry: Geometry, target: Matrix) -> float:
 def _hand_angles(
     hand: tuple[Matrix, Matrix, Matrix], beyond: npt.NDArray[np.int64]
 ) -> tuple[Matrix, Matrix]:
-    """Joint 5, and how the wrist points down in the plane, in radians."""
+    """Return joint 5, and the angle of the wrist's direction downwards in the plane, in radians."""
     out, aside, up = hand
     sign = np.where(beyond, -1.0, 1.0)
     return np.arctan2(-aside, sign * np.hypot(out, up)), np.arctan2(-sign * up, sign * out)
 
 
 def _in_plane(turn_rad: Matrix, vectors: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """Vectors (…, 3) of the base frame, outwards, aside and upwards in the arm's plane."""
+    """Return the components, in the arm's plane, of vectors (…, 3) in the base frame."""
     x, y, z = components(vectors)
     c, s = np.cos(turn_rad), np.sin(turn_rad)
     return c * x + s * y, c * y - s * x, z

@@ -123,7 +123,7 @@ class Arc:
 
 
 def _to_centre(over: Matrix, across: Matrix) -> Matrix:
-    """From one corner of a triangle to the centre of its circle; the sides start there."""
+    """Return the way from a corner of a triangle, where the sides start, to its circle's centre."""
     normal = np.cross(over, across)
     weighted = float(over @ over) * across - float(across @ across) * over
     centre: Matrix = -np.cross(normal, weighted) / (2.0 * float(normal @ normal))

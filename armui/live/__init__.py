@@ -1,1 +1,1 @@
-"""The live stream for Foxglove: what is measured, sent to viewers; nothing comes back."""
+"""The live stream for Foxglove: sends measurements to viewers, and receives nothing from them."""

@@ -37,23 +37,23 @@ if TYPE_CHECKING:
     from armui.session.recording.rows import RecordedFrame
 
 _MOST_WAITING: Final = 4_096
-"""Half a second of a full bus: what is older is of no use to a viewer."""
+"""Half a second of a full bus: older frames are of no use to a viewer."""
 _MOST_EVENTS: Final = 256
 _WATCHED_S: Final = 0.02
 _UNWATCHED_S: Final = 0.25
-"""How often frames are handed on, while somebody watches and while nobody does."""
+"""The intervals at which frames are passed on, with a viewer and without one."""
 _END_S: Final = 1.0
 _LEVELS: Final = {Level.INFO: 20, Level.DONE: 20, Level.WARNING: 30, Level.FAULT: 40}
 """The levels of events as rcl_interfaces/Log has them."""
 
 
 class LiveFrames(Listener):
-    """All frames since the newest codec, with it: none is ever decoded by another one.
+    """The frames since the last change of codec, with that codec, so that no other decodes them.
 
     Attributes:
         newest: The codec, and its frames.
         generation: The protocol that the arm was found to speak.
-        dropped: The number of frames that nobody took in time.
+        dropped: The number of frames dropped because they were not taken in time.
     """
 
     def __init__(self) -> None:
@@ -63,7 +63,7 @@ class LiveFrames(Listener):
 
     @property
     def dropped(self) -> int:
-        """The number of frames that nobody took in time."""
+        """The number of frames dropped because they were not taken in time."""
         return self._dropped_before + self.newest[1].dropped
 
     def know_generation(self, generation: Generation | None) -> None:
@@ -85,17 +85,17 @@ class LiveFrames(Listener):
 
 
 class LiveSender(threading.Thread):
-    """Begins the process, hands it what there is, and ends with it.
+    """Starts the process, passes it frames and events, and ends with it.
 
     Args:
         address: Host and port.
         frames: The frames.
-        arm: What is known of the arm besides its codec.
-        shift_s: From their times to those since 1970.
+        arm: The facts on the arm besides its codec.
+        shift_s: The shift from the frames' times to seconds since 1970.
         tell: Called in this thread with each :class:`LiveState`.
 
     Attributes:
-        arm: What is known of the arm besides its codec.
+        arm: The facts on the arm besides its codec.
         events: The events to be sent: time in ns, level, text.
     """
 
@@ -125,7 +125,7 @@ class LiveSender(threading.Thread):
     def run(self) -> None:
         """Serve until :meth:`end`."""
         try:
-            with suppress(OSError, EOFError):  # it has ended
+            with suppress(OSError, EOFError):  # the process has ended
                 self._serve()
             if not self._ends:
                 self._tell(self, LiveState(problem=LIVE_ENDED()))
@@ -135,7 +135,7 @@ class LiveSender(threading.Thread):
                 self._process.join(_END_S)
 
     def _serve(self) -> None:
-        # numpy and cantools are not loaded by the window
+        # Imported here, so that the window starts without numpy and cantools.
         from armui.live.server import serve  # noqa: PLC0415
         from armui.session.recording.rows import in_order, rows_of  # noqa: PLC0415
 
@@ -162,7 +162,7 @@ class LiveSender(threading.Thread):
                 if not state.on:
                     continue
                 codec, lane = self._frames.newest
-                parts = None  # nothing is told of an arm that is not known yet
+                parts = None  # ``None`` until the arm's generation is known
                 if codec is not None and codec.generation is self._frames.generation:
                     parts = codec.generation, codec.addressing, codec.firmware
                 if arm != (arm := replace(self.arm, codec=parts)):
@@ -198,12 +198,13 @@ class LiveStream(QObject):
         self._sender: LiveSender | None = None
         self._frames = LiveFrames()
         self.view = LiveView()
+        # The sender emits this signal in its own thread, which is no thread of Qt's.
         self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.noticed.connect(self._on_noticed)
 
     def switch(self, *, on: bool, port: int, for_others: bool) -> None:
-        """Serve it, or not; what was served otherwise is ended.
+        """Start or stop serving; a stream with other settings is ended first.
 
         Args:
             on: True to serve it.
@@ -274,7 +275,7 @@ def _arm_of(now: OperatingState) -> LiveArm:
 def own_address() -> str:
     """Return this computer's address in its network, or its name; nothing is sent."""
     with suppress(OSError), socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
-        asked.connect(("192.0.2.1", 9))  # the address of examples (RFC 5737)
+        asked.connect(("192.0.2.1", 9))  # an address for documentation (RFC 5737)
         address: str = asked.getsockname()[0]
         return address
     return socket.gethostname()

@@ -1,4 +1,4 @@
-"""What the program and the process that serves the live stream tell each other: data."""
+"""The messages between the program and the process that serves the live stream: data."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class LiveArm:
     """The arm that the frames to come are from.
 
     Attributes:
-        name: What it is called in the diagnostics.
+        name: Its name in the diagnostics.
         geometry: With the zeros of its firmware.
         gripper_turned_deg: The gripper's turn about the flange's Z axis.
         codec: The parts of the codec that decodes them; ``None`` until it is known.
@@ -57,7 +57,7 @@ class LiveArm:
 
 @dataclass(frozen=True, slots=True)
 class LiveState:
-    """How the process is.
+    """The state of the process.
 
     Attributes:
         on: True while it serves.
@@ -78,8 +78,8 @@ class LiveView:
     """What the window shows of the live stream.
 
     Attributes:
-        state: How its process is.
-        address: Where it is served: host and port.
+        state: The state of its process.
+        address: The address of the server: host and port.
         for_others: True if other computers can watch.
         lost: The number of frames dropped because its process did not take them.
     """

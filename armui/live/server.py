@@ -1,8 +1,8 @@
 """The process that serves the live stream by Foxglove's WebSocket, with the export's messages.
 
-It is a process of its own because threads of foxglove-sdk wait for Python's lock while they hold
-locks that a call of ours waits for: seen with a listener and its log at once, the whole program
-stood still for ever. Here that would only end the stream.
+It is a process of its own because threads of foxglove-sdk wait for Python's GIL while they hold
+locks that a call of ours waits for: with a listener and its log at once the whole program has been
+seen to deadlock. Here that would only end the stream.
 """
 
 from __future__ import annotations
@@ -41,17 +41,18 @@ EVENTS: Final = "/rosout"
 EVENT_TYPE: Final = "rcl_interfaces/Log"
 _ALWAYS: Final = TimeSpan(-math.inf, math.inf)
 _LOOK_S: Final = 0.25
+"""The interval at which a change of the server's state is passed on."""
 _AGAIN_S: Final = 1.0
 """The transforms that never change are repeated for viewers that come later."""
 _NICER_BY: Final = 5
 _TAKEN: Final = frozenset({errno.EADDRINUSE, 10048})
 """The system's numbers for a port in use: this one's, and that of Windows."""
 _LAGGING: Final = "foxglove.websocket.connected_client.send_lossy"
-"""The log of foxglove-sdk that tells, now and then, of a viewer whose queue is full."""
+"""The logger of foxglove-sdk that reports viewers whose queue is full."""
 
 
 class _Lagging(logging.Handler):
-    """Counts what that log tells."""
+    """Counts the reports of :data:`_LAGGING` of viewers that do not keep up."""
 
     count = 0
 
@@ -65,7 +66,7 @@ class LiveServer:
     Args:
         host: The address to listen at.
         port: The port; 0 for any.
-        arm: What is known of the arm; see :meth:`use_arm`.
+        arm: The facts on the arm; see :meth:`use_arm`.
 
     Attributes:
         port: The port.
@@ -77,7 +78,7 @@ class LiveServer:
 
     def __init__(self, host: str, port: int, arm: LiveArm) -> None:
         self._lagging = _Lagging()
-        logging.getLogger("foxglove").addHandler(logging.NullHandler())  # else it goes to stderr
+        logging.getLogger("foxglove").addHandler(logging.NullHandler())  # else it writes to stderr
         log = logging.getLogger(_LAGGING)
         log.setLevel(logging.INFO)
         log.addHandler(self._lagging)
@@ -91,7 +92,7 @@ class LiveServer:
         for stream in self._messages.streams:
             self._add_channel(stream.topic, stream.schema)
         self._add_channel(EVENTS, EVENT_TYPE)
-        # a channel that comes later is refused to a viewer that is quick to subscribe
+        # Only after all channels exist: a viewer that subscribes at once is refused later ones.
         self._served = foxglove.start_server(
             name="armui", host=host, port=port, capabilities=[], context=self._context
         )
@@ -99,7 +100,7 @@ class LiveServer:
 
     @property
     def state(self) -> LiveState:
-        """How it is."""
+        """The state of the server."""
         watched = any(each.has_sinks() for each in self._channels.values())
         return LiveState(on=True, watched=watched, behind=self._lagging.count)
 
@@ -163,7 +164,7 @@ def serve(connection: Connection, host: str, port: int, arm: LiveArm) -> None:
     except ImportError as error:
         connection.send(LiveState(problem=LIVE_NOT_INSTALLED(text=str(error))))
         return
-    except RuntimeError as error:  # all that foxglove-sdk raises
+    except RuntimeError as error:  # the only error class of foxglove-sdk
         number = re.search(r"os error (\d+)", str(error))
         taken = number is not None and int(number[1]) in _TAKEN
         why = LIVE_PORT_TAKEN(port=port) if taken else LIVE_NOT_OPENED(port=port, text=str(error))

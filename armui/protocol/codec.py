@@ -88,7 +88,7 @@ def raw_value(layout: MessageLayout, signal: SignalLayout, value: float | None) 
             whole numbers are legal, or None where nothing can be left unchanged.
     """
     if signal.is_measured and type(value) is float and signal.minimum <= value <= signal.maximum:
-        return round(signal.to_steps(value))  # the short way for most figures of a moving arm
+        return round(signal.to_steps(value))  # fast path for most values of a moving arm
     if value is None:
         if signal.unchanged_raw is None:
             raise _refused(layout, signal, None, "it cannot be left unchanged: give a value")
@@ -406,7 +406,7 @@ class Codec:
 
 @cache
 def _layouts(generation: Generation, mit_layout: MitLayout) -> tuple[MessageLayout, ...]:
-    """Every message of a generation, prepared once: a codec is made for each arm and handshake."""
+    """Return every message of a generation; cached, as each arm and handshake makes a codec."""
     database = load_database(generation, mit_layout)
     return tuple(message_layout(message) for message in database.messages)
 

@@ -45,7 +45,7 @@ _JOINTS = tuple(f"J{joint}" for joint in range(1, 7))
 def _exactly(
     message: str, values: Sequence[float], count: int, what: str, unit: str
 ) -> tuple[float, ...]:
-    """The values, if there are as many as the message wants.
+    """Return the values if there are as many as the message needs.
 
     Raises:
         EncodeError: There are more or fewer.

@@ -120,7 +120,7 @@ class FirmwareQuirks(NamedTuple):
             from S-V1.8-5 on; the simulated arm does so.
         shifted_zeros: Joints 2 and 3 count from zeros 2° elsewhere (before S-V1.6-3).
         has_leader_zero: 0x191 sends the leader arm to its zero.
-        has_cpv: 0x181-0x187.
+        has_cpv: The firmware has the CPV frames 0x181-0x187.
         cpv_position_signs: The factors for ``po`` of joints 1-6, so that the joint turns as with
             MOVE J.
         cpv_speed_signs: The same for ``sp``.
@@ -229,7 +229,7 @@ def quirks_of(version: FirmwareVersion, model: PiperModel = PiperModel.PIPER) ->
     return quirks
 
 
-# What an arm says of itself in the answer to 0x4AF: eleven frames of text, joined (generation 2) -
+# The arm's identity in its answer to 0x4AF: eleven frames of text, joined (generation 2) -
 #
 # The frames have no number: one that is lost, or another answer in between, shifts the text, so
 # nothing is looked for by its place alone.
@@ -370,9 +370,9 @@ class AnswerCollector:
 
 
 def _less(found: ArmIdentity, known: ArmIdentity | None, *, whole: bool) -> bool:
-    """Return whether it says less than what is known of the same version: an answer is under way.
+    """Return whether it has less than is known of the same version: the answer is incomplete.
 
-    Other words for the same version count once the answer is whole: a lost frame shifts them.
+    Other texts for the same version count once the answer is whole: a lost frame shifts them.
     """
     if known is None or found.software != known.software:
         return False

@@ -248,7 +248,7 @@ def message_layout(message: DbcMessage) -> MessageLayout:
 
 
 def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout:
-    """A message with some of its signals, each of which is there in every payload."""
+    """Return the layout of a message with some signals, all of which every payload has."""
     in_order = sorted(of, key=_byte_and_bit)
     signals = {signal.name: _signal_layout(signal, message) for signal in in_order}
     checked = tuple(
@@ -257,8 +257,8 @@ def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout
         if _can_be_illegal(signal, signals[signal.name])
     )
     scaled = [signal for signal in signals.values() if signal.is_scaled]
-    # without scaling, words and a second byte order cantools' own `Message` adds nothing to them
-    # but its time, which is most of it
+    # As there is no scaling, words or second byte order here, cantools' `Message` would only add
+    # its own time, which is most of the total.
     bits = create_encode_decode_formats(sorted(of, key=start_bit), message.length).big_endian
     return MessageLayout(
         name=message.name,
@@ -283,7 +283,7 @@ def _reserved_mask(length: int, signals: Iterable[SignalLayout]) -> int:
 
 
 def _byte_and_bit(signal: DbcSignal) -> tuple[int, int]:
-    """Sorts flags within a byte from bit 0 up, wider signals by their first byte."""
+    """Return a sort key: flags within a byte from bit 0 up, wider signals by their first byte."""
     byte, bit = divmod(signal.start, 8)
     return byte, bit if signal.length == 1 else -bit
 

@@ -40,7 +40,7 @@ _END_S: Final = 10.0
 _AT_ONCE_S: Final = 1.0
 _LOOK_S: Final = 0.1
 _KEPT_S: Final = 1.0
-"""The ring keeps next to nothing, because nobody reads it."""
+"""The ring is kept short, because nothing reads it."""
 _LARGEST_MB: Final = 4000
 
 
@@ -99,7 +99,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
     with handled_by(lambda number, _frame: ending.append(number)), ExitStack() as stack:
         try:
             bus = stack.enter_context(opened(device))
-        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+        except Exception as error:  # noqa: BLE001 - third-party drivers raise anything
             return _cannot_begin(
                 f"{_said(explain(device, error))}\n{say('`armui doctor` tells more.')}"
             )
@@ -137,7 +137,7 @@ def _record(
             break
         try:
             listener.listen()
-        except Exception as error:  # noqa: BLE001 - drivers of others raise anything
+        except Exception as error:  # noqa: BLE001 - third-party drivers raise anything
             text = error_text(error)
             problem = say("{device} is gone: {text}", device=device.name, text=text)
             break
@@ -171,16 +171,16 @@ def _wait_for(recording: SessionRecording, ending: list[int]) -> bool:
 
 
 def _count(path: Path) -> None:
-    """Keep beside the recording how many faults its frames tell of, for the list of the window.
+    """Write the number of faults in the frames to the sidecar, for the window's list.
 
-    Another signal calls that off.
+    A further signal cancels the counting.
     """
     try:
         with interrupting(), closing(RecordedSession(path)) as session:
             keep(path.parent, session.name, counted(session))
     except KeyboardInterrupt:
         return
-    except Exception as error:  # noqa: BLE001 - what was recorded is whole all the same
+    except Exception as error:  # noqa: BLE001 - the recording itself is intact
         text = say("its faults were not counted: {text}", text=error_text(error))
         sys.stderr.write(f"armui record: {text}\n")
 
@@ -188,7 +188,7 @@ def _count(path: Path) -> None:
 def _summary(
     recording: SessionRecording, lane: FrameLane, problem: str, *, ended: bool, quiet: bool
 ) -> int:
-    """Say what became of it; returns the exit code."""
+    """Print the result of the recording; return the exit code."""
     if not quiet and sys.stderr.isatty():
         sys.stderr.write("\n")
     if recording.failure is not None:

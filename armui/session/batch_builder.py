@@ -35,6 +35,7 @@ _MOST_CHANNELS = 255
 FURTHER_CHANNELS: Final = "further channels"
 """The common name of all channels beyond the 255th."""
 _EARLIEST_DATE_S: Final = 5e8
+"""No log is from before 1985: a unit of time that leads there is not the log's."""
 _SMALLER_UNITS: Final = {"ms": 1e3, "µs": 1e6, "ns": 1e9, "ps": 1e12}
 LOG_NO_TIMES = Reason(
     "log_no_times",
@@ -49,6 +50,7 @@ LOG_LAST_LINE_TORN = Reason(
     "log_last_line_torn", "Its last line breaks off and is left out, as where a recorder is ended."
 )
 _CERTAIN_STEPS: Final = 256
+"""After so many steps, of which most go forward, times are certain not to be pauses."""
 MESSAGE_FLAGS: Final = (
     ("is_extended_id", FrameFlag.EXTENDED),
     ("is_remote_frame", FrameFlag.REMOTE),
@@ -115,7 +117,7 @@ class BatchBuilder:
         return self.count(batch)
 
     def note(self, place: str, reason: str, rows_before: int, *, frame_given: bool = False) -> None:
-        """Notes a damaged place, some rows after the frames counted so far."""
+        """Note a damaged place at a row, counted from the frames so far."""
         self.damages.add(Damage(place, reason, self.frames + rows_before, frame_given))
 
     def _columns(self, messages: list[can.Message]) -> FrameBatch:
@@ -155,7 +157,7 @@ class BatchBuilder:
         return tuple(self._channels)
 
     def count(self, batch: FrameBatch) -> FrameBatch:
-        """Counts a batch made elsewhere; returns it with times that are valid."""
+        """Count a batch made elsewhere, and return it with valid times."""
         if len(batch):
             if self.pauses is None:
                 self._look_for_pauses(batch)
@@ -168,7 +170,7 @@ class BatchBuilder:
         return batch
 
     def _look_for_pauses(self, batch: FrameBatch) -> None:
-        """Tell times since the frame before from those since the beginning.
+        """Find out whether times count from the frame before or from the beginning.
 
         The latter grow on each channel; of the former about half are not larger than the one
         before.
@@ -197,7 +199,8 @@ class BatchBuilder:
             times_s = times_s / self._per_second
         odd = ~(np.abs(times_s) <= LATEST_S)
         if odd.any():
-            # the number of the last row up to each that has a time, -1: none in this batch has
+            # the index of the last row up to each with a valid time; -1 if there is none in this
+            # batch
             last = np.maximum.accumulate(np.where(odd, -1, np.arange(len(batch))))
             times_s = np.where(last < 0, self._last_s, times_s[last])
             for row in np.flatnonzero(odd).tolist():
@@ -210,7 +213,7 @@ class BatchBuilder:
         return batch if times_s is batch.times_s else replace(batch, times_s=times_s)
 
     def _unit(self, times_s: NDArray[np.float64]) -> float:
-        """Return how many of the log's units of time a second has; one it does not say is noted."""
+        """Return the log's units of time per second; units smaller than a second are noted."""
         middle = float(np.sort(times_s)[times_s.size // 2])
         for unit, per_second in _SMALLER_UNITS.items() if middle > LATEST_S else ():
             if _EARLIEST_DATE_S < middle / per_second <= LATEST_S:

@@ -98,7 +98,7 @@ class ObjectStream:
         return data
 
     def _next_top(self) -> tuple[int, int, bytes] | None:
-        """Place, type and bytes of the next object of the file; a container's without its head."""
+        """Return place, type and bytes of the next object; a container's without its head."""
         while True:
             place = self.position
             head = self._take(_BASE.size)
@@ -119,7 +119,7 @@ class ObjectStream:
             return place, kind, body if kind == blf.LOG_CONTAINER else head + body
 
     def _find_next(self, place: int, head: bytes) -> bool:
-        """Goes on to the next place that begins as an object does."""
+        """Skip to the next place with an object's signature; return whether there is one."""
         self._ahead = head[1:] + self._ahead
         self.position -= len(head) - 1
         skipped = head[:1]
@@ -143,7 +143,7 @@ class ObjectStream:
         return True
 
     def _unpacked(self, body: bytes, place: int) -> Iterator[bytes]:
-        """Return what a container holds, as far as it can be unpacked."""
+        """Return the content of a container, as far as it can be unpacked."""
         if len(body) < _CONTAINER.size:
             return
         method, _size = _CONTAINER.unpack_from(body)
@@ -169,7 +169,7 @@ class ObjectStream:
             self._lose_thread()
 
     def _lose_thread(self) -> None:
-        """Forget the object under way: what comes next may begin in the middle of one."""
+        """Forget a partly read object: the next bytes may begin in the middle of another one."""
         self._tail = b""
         self._cut = True
         self._idle_bytes = 0
@@ -215,7 +215,7 @@ class ObjectStream:
         self._tail = data[pos:]
 
     def _behind_damage(self, data: bytes) -> bytes:
-        """From where an object begins again; nothing if none does."""
+        """Return the data from the next object's signature on; nothing if there is none."""
         begin = data.find(_SIGNATURE)
         if begin < 0:
             self._idle_bytes += len(data)

@@ -1,4 +1,4 @@
-"""Rewrites what candump shows on a screen, as it was pasted or saved, as lines of ``candump -L``.
+"""Rewrites candump's output on a screen, as it was pasted or saved, as lines of ``candump -L``.
 
 Source: candump.c and lib.c of can-utils; with its options -t, -N, -c, -i, -a, -S, -d, -e, -8, -x.
 """
@@ -22,7 +22,7 @@ _LONGEST: Final = 800
 _STEP_S: Final = 1e-3
 _LOOKED_AT: Final = 64
 _ADDED: Final = re.compile(r"(?:\x1b|\^\[)\[[\d;]*[A-Za-z]")
-"""The colours of -c."""
+"""The escape sequences for the colours of option -c."""
 _ENDED: Final = re.compile(r"\^C|\x03")
 _DATE: Final = re.compile(r"\((\d{4}-\d\d-\d\d \d\d:\d\d:\d\d)(\.\d+)\)\s*")
 _LENGTH_CODE: Final = re.compile(r"(#[0-9a-f]{16})_[9-f]\b", re.IGNORECASE)
@@ -45,7 +45,7 @@ _BESIDE: Final = re.compile(
     r"|error-counter-tx-rx)\b|[^\s@]+@[^\s:]+:.*[$#]|([$#>]\s*)?(sudo\s+)?candump\s|script\s\w+\s(on|,)",
     re.IGNORECASE,
 )
-"""What stands between the frames and is none: the words of -d and -e, a shell's prompt."""
+"""Lines between the frames that hold none: the words of -d and -e, or a shell's prompt."""
 _SINCE: Final = re.compile(r"\(0\d\d\.\d{6}(\d{3})?\)\s")
 """A time of -t d or -t z: the first ones are small, in three digits."""
 
@@ -54,7 +54,7 @@ class CandumpLines:
     """Rewrites the lines of one log, in their order.
 
     Args:
-        builder: Told what is to be known of the times.
+        builder: Gets the notes on times that are missing or relative.
     """
 
     def __init__(self, builder: BatchBuilder) -> None:
@@ -85,7 +85,7 @@ class CandumpLines:
         if _BARE.match(made):
             made = f"({self._made_up()}) {made}"
         if _FRAME.match(made):
-            with contextlib.suppress(ValueError):  # of a time with two points
+            with contextlib.suppress(ValueError):  # a time with two points
                 self._last_s = float(made[1 : made.index(")")])
             return made
         if ended or unended:
@@ -96,7 +96,7 @@ class CandumpLines:
 
     def _of_screen(self, line: str) -> str:
         """Return a line of the screen as -L has it, "" if it is none."""
-        # of a longer one, made to be slow to match, nothing would be left to read
+        # A longer line is no frame, and could be made to match slowly.
         found = _SCREEN.match(line) if len(line) <= _LONGEST else None
         if found is None:
             return ""
@@ -118,7 +118,7 @@ class CandumpLines:
         return f"({time}) {found['channel']} {found['id']}{mark}{payload}{sent}"
 
     def _made_up(self) -> str:
-        """Return a time for a frame that has none: a step behind the frame before it."""
+        """Return a time for a frame without one: a fixed step after the frame before it."""
         self._builder.damages.remark(LOG_NO_TIMES())
         return f"{0.0 if self._last_s is None else self._last_s + _STEP_S:.6f}"
 

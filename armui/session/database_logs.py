@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _ROWS: Final = 4_096
 _MOST_FAILURES: Final = 200
+"""The reading ends after this many damaged rows, each of which costs a further query."""
 _ALL_ROWS: Final = "SELECT * FROM messages"
 _LONGEST_VALUE: Final = 1 << 16
 """The most bytes of a value; a frame has 64 at most."""
@@ -68,7 +69,7 @@ class _Database(can.SqliteReader):
     def _message(self, row: Any) -> can.Message | Exception:
         try:
             return self._assemble_message(row)
-        except Exception as error:  # noqa: BLE001 - a row holds whatever somebody put there
+        except Exception as error:  # noqa: BLE001 - rows may hold any type of value
             return error
 
 

@@ -129,7 +129,7 @@ class DamageList:
 
     Attributes:
         count: The number of all damaged places, also of those not kept.
-        notes: What is to be known of the log and is no damage, each once.
+        notes: Remarks on the log that are no damage, each once.
     """
 
     def __init__(self) -> None:
@@ -143,7 +143,7 @@ class DamageList:
             self.notes.append(note)
 
     def add(self, damage: Damage) -> None:
-        """Keeps or counts one more damaged place."""
+        """Keep one more damaged place, or only count it if there are too many."""
         self.count += 1
         if len(self._kept) < MOST_DAMAGES:
             self._kept.append(damage)

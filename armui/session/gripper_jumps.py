@@ -61,10 +61,10 @@ class GripperJumps:
         """Return the rows of jumps in the next readings, in their order.
 
         Args:
-            layout: That of 0x2A8.
+            layout: The layout of 0x2A8.
             times_s: The times of the readings, measured.
-            payloads: Those of the frames, shape (rows, 8).
-            arm: Whose readings they are; each has its own.
+            payloads: The payloads of the frames, shape (rows, 8).
+            arm: The arm of the readings; arms are kept apart.
         """
         jumps = []
         for signal in filter(None, map(layout.signals.get, _TRAVELS)):

@@ -259,7 +259,7 @@ def _bursts(times_s: NDArray[np.float64], places: NDArray[np.int64]) -> list[int
     return begins
 
 
-# The frames of some identifiers of a session, gathered in one pass through it.
+# Keeps the frames of some identifiers, collected in one pass through the session.
 
 
 _NOT_DATA: Final = FrameFlag.EXTENDED | FrameFlag.REMOTE | FrameFlag.ERROR | FrameFlag.IMPOSSIBLE

@@ -75,7 +75,7 @@ def _agreed(
     feedback_offset: int,
     says: Callable[[FittingArm], _Said],
 ) -> _Said | None:
-    """Return what the arms that fit say alike, at the first place where they do."""
+    """Return what all fitting arms have in common, at the first place where they agree."""
     codec = Codec(generation, Addressing(feedback_offset))
     for place in _PLACES:
         at_s = session.start_s + place * (session.end_s - session.start_s)
@@ -93,10 +93,10 @@ def told_model(lines: Iterable[Mapping[str, Any]]) -> PiperModel | None:
 
 
 def told_cell(lines: Iterable[Mapping[str, Any]]) -> CellInForce:
-    """Return what of a cell held all through a recording.
+    """Return the parts of a cell that applied throughout a recording.
 
-    The lines do not tell since when another tool, object, area or frame held: of a recording in
-    which it was changed it is not shown, and its events tell the change.
+    The lines do not give the time of a change of tool, object, area or frame: what was changed
+    during the recording is not shown, and the events name the change.
     """
     return all_through([from_entry(line) for line in lines if line.get("kind") == "cell"])
 
@@ -128,7 +128,7 @@ def _fitting(
     return fitting_arms(angles, pose, None)
 
 
-# Which generation the arm of a log speaks, found out from the log's beginning.
+# Detects the generation of the arm in a log from the log's beginning.
 
 
 def detect_generation(batches: Iterator[FrameBatch]) -> tuple[list[FrameBatch], GenerationVerdict]:

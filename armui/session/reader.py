@@ -56,7 +56,7 @@ _WAYS: Final = {
         ".blf or .trc where it was recorded"
     ),
 }
-"""The way to what is read from what is not, by signs near the beginning of its files."""
+"""Advice for unsupported kinds of files, by signs near their beginning."""
 _TABLES: Final = (".csv", ".txt", ".log")
 _NOT_PACKED: Final = ".db"
 """The format that is not read sequentially, so that it cannot be compressed as .gz."""
@@ -145,10 +145,10 @@ class LogFile:
         self._source.close()
 
     def _read(self) -> Iterator[FrameBatch]:
-        """Batches with frames in them.
+        """Yield the batches that hold frames.
 
         Raises:
-            NotALogError: There are none, and nothing else that tells of a log.
+            NotALogError: There are none, and no header of a log either.
         """
         found = False
         for batch in self._read_format():

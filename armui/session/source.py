@@ -69,7 +69,7 @@ class LogSource:
         return self.taken if self.is_pipe else self._raw.tell()
 
     def peek(self) -> bytes:
-        """Return what comes first through a pipe; it is read again."""
+        """Return the first bytes of a pipe; they will be read again."""
         try:
             self._ahead = self._ahead or cast("io.BufferedReader", self._stream).read1(_BLOCK)
         except READ_ERRORS as error:
@@ -124,7 +124,7 @@ class LogSource:
         Only line ends separate lines, so that the numbers are those of an editor.
 
         Args:
-            encoding: What a block that is no UTF-8 is taken for.
+            encoding: The assumed encoding of a block that is not UTF-8.
         """
         carry = b""
         dropping = False

@@ -63,7 +63,7 @@ class ChannelSurvey:
 
 
 def survey(session: Session) -> tuple[ChannelSurvey, ...]:
-    """Return what is known of each channel, from the log's end and a few seconds of each arm.
+    """Return the facts on each channel, from the log's end and a few seconds of each arm.
 
     Returns:
         The channels, the one with most of an arm first.

@@ -76,7 +76,7 @@ class TextFormat:
             extended identifiers, CAN FD and error frames only.
         adapt: Rewrites each line that the reader would misread.
         pauses: A line of the header that says that times are those since the frame before.
-        encoding: What a text that is no UTF-8 is taken for.
+        encoding: The assumed encoding of a text that is not UTF-8.
     """
 
     name: str
@@ -232,7 +232,7 @@ class _Lines:
 
     Attributes:
         number: Number of the line handed out last, from 1.
-        pending: That line, until a frame came of it; "" then.
+        pending: That line, until a frame was made of it; then "".
         rows: Frames gathered for the batch under way; set by who reads.
         hopeful: A frame has been read, so that nonsense no longer ends the reading.
     """
@@ -297,7 +297,7 @@ class _Lines:
             self._builder.pauses = True
 
     def look_for_end(self) -> None:
-        """Give up on a file that has held nothing readable for long.
+        """Raise an error if the file has held nothing readable for too long.
 
         Raises:
             NonsenseError: Nothing was readable from the beginning on.

@@ -13,7 +13,7 @@ HAND: Final = struct.Struct("<24s7d")
 of a fault, its joint (0 for none) and 1 if it begins, 0 if it ends.
 """
 LETS_GO: Final = (b"", *(0.0,) * 7)
-"""What the hand's line says of a hand that is not there."""
+"""The message of a hand that has let go."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The life of a simulated arm in time: what reaches it, what passes, what it sends."""
+"""Runs a simulated arm in time: receives its frames, advances it, sends what is due."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ class ArmLoop(ABC):
             periods = 1 + int(late_s / PERIOD_S)
             try:
                 self.poll(min(periods * PERIOD_S, _LONGEST_CATCH_UP_S))
-            except Exception:  # noqa: BLE001 - whatever it is: the loop goes on
+            except Exception:  # noqa: BLE001 - any program error: the loop must go on
                 # The failure is logged once, and the loop goes on: an arm that falls silent would
                 # be worse.
                 if not self.failures:

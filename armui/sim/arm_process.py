@@ -1,8 +1,9 @@
 """The simulated arm in a process of its own.
 
-There neither the window's work nor Python's lock holds it up, and it holds up nobody: like a real
-arm it says what is due when it is due. Frames travel on one line, several in a message; what the
-hand does that leads or breaks the arm, on another. The end of the frames' line ends the process.
+There neither the window's work nor Python's GIL delays it, nor does it delay the window: like a
+real arm it sends every frame when it is due. Frames travel on one line, several in a message; the
+hand's messages, which lead the arm or set faults, on another. The end of the frames' line ends the
+process.
 """
 
 from __future__ import annotations
@@ -21,14 +22,14 @@ from armui.system.thread_priority import raise_in_background
 PROCESS_NAME: Final = "armui-simulated-arm"
 
 _BEGINS_WITHIN_S: Final = 60.0
-"""A loaded computer takes some seconds to load what the arm is made of."""
+"""The process must be ready within this time; a loaded computer takes some seconds to import it."""
 _ENDS_WITHIN_S: Final = 2.0
 
 
 class LineHand:
-    """The hand that leads the arm of another process, and breaks it.
+    """The hand that leads the arm in another process, and sets its faults.
 
-    Where that process takes nothing any more, the hand lets go: its line is closed.
+    If that process no longer takes messages, the line is closed, and so the hand lets go.
 
     Attributes:
         faults: The faults that it has begun and not ended: name and joint, 0 for none.
@@ -85,7 +86,7 @@ class ArmProcess:
             self._close()
             raise
         finally:
-            # only the process holds its ends now: when it ends, the line closes
+            # Only the process holds these ends from now on, so that its end closes the lines.
             frames_there.close()
             hand_there.close()
 
@@ -95,7 +96,7 @@ class ArmProcess:
         return self._process.pid
 
     def wait_until_it_lives(self, within_s: float = _BEGINS_WITHIN_S) -> None:
-        """Wait until the arm lives; what it has said to nobody is dropped.
+        """Wait until the arm runs, and drop the frames it has sent before anybody listened.
 
         Raises:
             OSError: The process has ended before, or takes longer.
@@ -108,7 +109,7 @@ class ArmProcess:
     def end(self) -> None:
         """Kill the process, which keeps nothing, and wait until it is gone."""
         self._close()
-        self._process.kill()  # it keeps nothing
+        self._process.kill()  # it has no files or settings to save
         self._process.join(_ENDS_WITHIN_S)
 
     def _close(self) -> None:
@@ -117,18 +118,18 @@ class ArmProcess:
 
 
 def live(frames: socket.socket, hand: socket.socket, choice: ArmChoice) -> None:
-    """Be the arm, in the new process, until the other end of its line is closed.
+    """Run the arm in the new process, until the other end of its line is closed.
 
     Args:
         frames: Its end of the line of frames.
-        hand: Its end of the hand's line; a record from this end says that the arm lives.
-        choice: What it is.
+        hand: Its end of the hand's line; a record from this end reports that the arm runs.
+        choice: The kind of arm.
     """
     end_with_the_program()
-    from armui.sim.line_arm import LineArm  # noqa: PLC0415 - the program itself needs none of it
+    from armui.sim.line_arm import LineArm  # noqa: PLC0415 - needed in this process only
 
     hand_line = RecordSocket(hand, HAND.size)
     arm = LineArm(choice, RecordSocket(frames, RECORD_BYTES), hand_line)
     hand_line.send(HAND.pack(*LETS_GO))
-    raise_in_background()  # a real arm waits for no other program of the computer
+    raise_in_background()  # as punctual as a real arm
     arm.run()

@@ -34,8 +34,7 @@ cause.
 """
 
 CUTS_POWER: Final = frozenset({Alarm.OVERCURRENT, Alarm.DRIVER})
-"""Alarms at which the driver switches its own motor off; with the others it goes on holding the
-joint.
+"""Alarms at which the driver switches its own motor off; with the others it still holds the joint.
 """
 
 

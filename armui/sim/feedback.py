@@ -85,7 +85,7 @@ class ReportedArm(Protocol):
 
     @property
     def reported_deg(self) -> SixValues:
-        """The joint angles as they are told, joint 1 first."""
+        """The joint angles as the feedback reports them, joint 1 first."""
 
     @property
     def ik_solution_deg(self) -> SixValues | None:

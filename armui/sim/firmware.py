@@ -189,12 +189,12 @@ class Firmware:
 
     @property
     def joints_deg(self) -> SixValues:
-        """The true angles of the joints, which the feedback may not tell: see `reported_deg`."""
+        """The true angles of the joints; the feedback may differ: see `reported_deg`."""
         return self.mechanics.positions_deg
 
     @property
     def reported_deg(self) -> SixValues:
-        """The joint angles as the feedback tells them; in an excursion they are not true."""
+        """The joint angles as the feedback reports them; in an excursion they are wrong."""
         return self.lost_reference.reported_deg(self.mechanics.positions_deg)
 
     @property
@@ -352,7 +352,7 @@ class Firmware:
         self.lost_reference.step(dt_s)
 
     def _periodic(self, names: list[str]) -> list[Frame]:
-        """Return what is due under these names; a teaching input leads instead."""
+        """Return the frames due under these names; a teaching input sends its commands instead."""
         if not self.leads:
             return self.bugs.distorted(names, self._feedback.frames(names))
         drivers = [name for name in names if self.drivers_tell and name.startswith("Driver")]

@@ -15,14 +15,14 @@ from armui.sim.firmware import Firmware
 from armui.system.record_socket import RecordSocket
 
 _REMEMBERED: Final = 0
-"""The frames kept in `heard`: nobody looks at them here."""
+"""The received frames kept in `heard`: none, as nobody reads them here."""
 
 
 class LineArm(ArmLoop):
     """One simulated arm on one line; the end of the line ends its loop.
 
     Args:
-        choice: What it is.
+        choice: The kind of arm.
         line: Its end of the line of frames.
         hand_line: Its end of the line by which a hand leads it, and breaks it.
     """
@@ -45,7 +45,7 @@ class LineArm(ArmLoop):
             frames = unpack(self._line.receive())
             if frames and (self.link.off or not self.firmware.is_on):
                 self._line.send(pack([NOT_ACKNOWLEDGED]))
-        except OSError:  # the program has let go of it, or is gone
+        except OSError:  # the program has closed the line, or has ended
             self._ending.set()
             return []
         return frames
@@ -59,7 +59,7 @@ class LineArm(ArmLoop):
         return len(frames)
 
     def _feel_hand(self) -> None:
-        """Obeys the hand, which has let go where its line has ended."""
+        """Carries out the hand's messages; at the end of its line the hand lets go."""
         if self._hand_line is None:
             return
         try:

@@ -205,7 +205,7 @@ def run_arm(
     try:
         bus = can.Bus(interface=interface, **options)
     except (can.CanError, OSError, ValueError, TypeError, ImportError) as error:
-        # python-can says by this class, too, that a package is missing
+        # python-can raises this class for a missing package, too
         missing = isinstance(error, ImportError | can.CanInterfaceNotImplementedError)
         advice = (
             "Install what it names with pip; python-can's name of the bus may be wrong, too."
@@ -252,7 +252,7 @@ def _version(text: str) -> str:
 
 
 def _bugs(text: str) -> frozenset[FirmwareBug] | str:
-    """Return the bugs named; the words that stand for no name are handed on."""
+    """Return the named bugs, or unchanged the word that stands for those of the version."""
     if text == _OF_THE_VERSION:
         return text
     if text == "all":

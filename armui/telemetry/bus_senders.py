@@ -1,4 +1,4 @@
-"""Finds the sender of a frame, as far as its identifier tells."""
+"""Finds the sender of a frame, as far as its identifier shows it."""
 
 from __future__ import annotations
 

@@ -276,7 +276,7 @@ class BusStatistics(Listener):
         self._handed_over += len(batch)
         self._waiting.append((batch, own))
 
-    # Who looks --------------------------------------------------------------------------------
+    # The reading thread -----------------------------------------------------------------------
 
     @property
     def codec(self) -> Codec | None:
@@ -361,7 +361,7 @@ class BusStatistics(Listener):
             series.last_s = at_s
             times_s.append(at_s)
             if heard.__class__ is not Message:
-                series.invalid = heard  # type: ignore[assignment]  # it is the other of the two
+                series.invalid = heard  # type: ignore[assignment]  # an InvalidFrame here
                 series.invalid_count += 1
                 series.invalid_length = len(data)
                 series.invalid_s = at_s

@@ -150,7 +150,7 @@ class BusTrace:
     def snapshot(self) -> TraceSnapshot:
         """Return a copy of the trace, in the order of time."""
         places = np.arange(max(0, self._count - self._most), self._count) % self._most
-        # frames that were sent are told a little later than those that were heard
+        # sent frames are added a little later than received ones
         places = places[np.argsort(self._times_s[places], kind="stable")]
         return TraceSnapshot(
             self._times_s[places],

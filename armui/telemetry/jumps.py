@@ -1,4 +1,4 @@
-"""By how much a reported angle jumped, as no joint can move: its reference was found anew."""
+"""Measures jumps of a reported angle that no motion explains, as when a reference is found anew."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 _FASTEST_DEG_S: Final = 400.0
 """No joint turns faster, not even one that drops."""
 _LONGEST_S: Final = 0.06
-"""What came in a longer silence may be a fall: it tells nothing of a jump."""
+"""After a longer silence a change of angle may be a fall, and is no evidence of a jump."""
 _PERIOD_S: Final = 0.005
 """Angles are reported 200 times a second."""
 _LEAST: Final = 3
 _WORTH_DEG: Final = 0.3
-"""Lesser jumps are the noise of a fall that begins or ends; only the largest is told of them."""
+"""Smaller jumps are noise at the begin or end of a fall: only the largest of them is returned."""
 
 
 def jump_deg(
@@ -42,7 +42,7 @@ def jump_deg(
     if gaps_s.max() > _LONGEST_S:
         return None
     steps_deg = np.diff(angles_deg.astype(float))
-    # frames may come in bunches, their times then say little; or some are lost, and the steps do
+    # Both measures are taken: frames in a burst have useless times, lost frames make wide steps.
     spans_s = np.maximum(gaps_s, _PERIOD_S)
     by_time = _unusual(steps_deg / spans_s) * spans_s[1:-1]
     least = _nearer_0(_unusual(steps_deg), by_time)
@@ -55,7 +55,7 @@ def jump_deg(
 
 
 def _unusual(steps: Array) -> Array:
-    """Return (n - 2,) by how much each step differs from what its neighbours make of it."""
+    """Return (n - 2,) by how much each step differs from both neighbours and their mean."""
     here, before, behind = steps[1:-1], steps[:-2], steps[2:]
     least = _nearer_0(here - before, here - behind)
     return _nearer_0(least, here - (before + behind) / 2.0)

@@ -14,8 +14,6 @@ ReceivedFrame = tuple["Message | InvalidFrame", float, "Frame", int]
 """A decoded frame, its monotonic time in seconds, the frame itself, and its `FrameFlag` bits.
 
 A repeated frame shares its decoded message, which must not be changed.
-
-A frame that is repeated shares its decoded message: it must not be changed.
 """
 
 

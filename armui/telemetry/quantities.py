@@ -94,7 +94,7 @@ class Record:
 
     @property
     def name(self) -> str:
-        """The name of its series: the message, behind its source if that is not the arm."""
+        """The name of its series: the message's, with the source in front unless it is the arm."""
         return self.message if self.source is Source.ARM else f"{self.source}.{self.message}"
 
     @property

@@ -37,6 +37,7 @@ _FOLD_EVERY: Final = 512
 """The number of samples added to the pyramid at once: numpy pays off by the hundred."""
 _BASE_PER_S: Final = 2.0**-BASE_EXPONENT
 _LATEST_TRIES: Final = 3
+"""A reader tries again if the sample was overwritten while it was copied."""
 
 Row = tuple[float, ...]
 
@@ -58,7 +59,7 @@ class _Level:
     """One level: a ring of buckets.
 
     Attributes:
-        numbers: Which bucket a place of the ring holds.
+        numbers: The number of the bucket at each place of the ring.
         lows, highs: For each block of signals, one row a signal.
     """
 
@@ -176,7 +177,7 @@ def _merged(
     lows: Sequence[NDArray[Any]],
     highs: Sequence[NDArray[Any]],
 ) -> tuple[NDArray[np.int64], Sequence[NDArray[Any]], Sequence[NDArray[Any]]]:
-    """Return what is to be stored: the first bucket may be there already, and has grown."""
+    """Return the buckets to store, the first merged with its stored part, if there is one."""
     if numbers.size > level.numbers.size:  # more than the ring holds
         newest = slice(-level.numbers.size, None)
         numbers = numbers[newest]
@@ -275,7 +276,7 @@ class Series:
         self._pack = layout.pack_into
         self._size = layout.size
         self.write: Callable[[float, Row], None]
-        self.replaced = -1  # there was nothing before the first release
+        self.replaced = -1  # becomes 0 at the first release
         self.release()
 
     def release(self) -> None:
@@ -458,7 +459,7 @@ class Series:
             exponent: The buckets are 2^exponent seconds wide.
             begin: The number of the first one.
             end: The number of the one behind the last.
-            fields: Of which figures or codes; all of one kind.
+            fields: The names of figures or of codes, not of both.
         """
         size = max(0, end - begin)
         heard = np.zeros(size, np.bool_)

@@ -207,7 +207,7 @@ def _writer(
 def _maker(
     record: Record, field: Field, codec: Codec, layout: MessageLayout, told: frozenset[str]
 ) -> Callable[[NDArray[np.uint64]], NDArray[Any]]:
-    """Return what makes one figure or code of every row; as `_figure_maker` for one."""
+    """Return a function that makes one figure or code of every row; see `_figure_maker`."""
     bits = [(1 << place, name) for place, name in enumerate(field.signals) if name in told]
     if not bits:
         missing = 0 if field.is_code else np.nan

@@ -62,11 +62,11 @@ _POSE_MESSAGES: Final = ("EndPose1", "EndPose2", "EndPose3")
 
 
 class _ToolPoseWriter:
-    """Works out the pose of the tool centre point once all three messages of the flange's are in.
+    """Computes the tool centre point's pose once all three messages of the flange's pose are in.
 
     Args:
         tool: Its pose in the flange, mm and degrees.
-        series: Where to.
+        series: The series to write.
     """
 
     def __init__(self, tool: Sequence[float], series: Series) -> None:
@@ -77,7 +77,7 @@ class _ToolPoseWriter:
         self._flange: dict[str, float] = {}
 
     def following(self, write: _Writer) -> _Writer:
-        """Return a function that writes one of the three messages, and then the tool's pose."""
+        """Wrap the writer of one of the three messages so that it also writes the tool's pose."""
 
         def write_both(signals: Mapping[str, float], at_s: float) -> None:
             write(signals, at_s)
@@ -187,7 +187,7 @@ class Telemetry(Listener):
         quantity, series = self.find(key)
         return series.latest(quantity.field)
 
-    # What is known of the arm; any thread -----------------------------------------------------
+    # The arm's generation and tool; any thread ------------------------------------------------
 
     def know_generation(self, generation: Generation | None) -> None:
         """Set the arm's protocol; with ``None`` only values common to both generations are kept."""
@@ -295,7 +295,7 @@ class Telemetry(Listener):
     def on_look(self, now_s: float) -> None:
         """Update the rates; called every few milliseconds while a device is open."""
         newest_s, self._newest_s = self._newest_s, now_s
-        # of frames that waited while the computer was busy the rest may be of the same time
+        # After a delay more frames of the same time may follow: count up to the newest frame only.
         now_s = newest_s if newest_s > self._counted_s else now_s
         passed_s = now_s - self._counted_s
         if passed_s < _BUS_EVERY_S - _ROUNDING_S:
@@ -307,7 +307,7 @@ class Telemetry(Listener):
         self._counted_s = now_s
         self._frames = self._bits = self._errors = 0
 
-    # ------------------------------------------------------------------------------------------
+    # The choice of writers --------------------------------------------------------------------
 
     def _choose(self) -> None:
         """Choose the writer of each message, by codec and generation."""

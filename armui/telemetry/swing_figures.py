@@ -1,8 +1,8 @@
-"""What a joint's swing says of it: how far it stays behind, the current it needs, its warmth.
+"""Evaluates a joint's swing: how far it lags, the current it needs, its temperatures.
 
-It swings evenly to and fro. What has the sign of its turn is its own: by that it stays behind, and
-by that its motor overcomes friction. What is the same both ways is what it bears: gravity. So the
-half of the difference between the two ways is compared, and the half of the sum is only told.
+It swings evenly to and fro. The part of a figure that changes sign with the direction belongs to
+the joint: its lag, and the current against friction. The part that is the same both ways is
+gravity. So half of the difference between both ways is compared, and half of the sum is only shown.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _EVEN: Final = 0.8
 """A joint turns evenly where its setpoint has this share of the full speed at least."""
 _SETTLES_S: Final = 0.25
-"""What a joint did so long before must have been the same turn: it comes after its setpoint."""
+"""The setpoint must have turned evenly for this long before, as the joint lags behind it."""
 _LEAST: Final = 10
 """Fewer samples to either side are no measurement."""
 _LEAST_DEG: Final = 1.0
@@ -33,7 +33,7 @@ CURVES: Final = ("target", "angle", "current")
 
 
 def curves_of(telemetry: Telemetry, joint: int, begin_s: float, end_s: float) -> dict[str, Curve]:
-    """Return what was commanded and heard of a joint (1–6) in a time, each with its times."""
+    """Return the commanded and measured curves of a joint (1–6) in a time span."""
     keys = {
         "target": f"own.joint_angle.{joint}",
         "angle": f"arm.joint_angle.{joint}",

@@ -1,4 +1,4 @@
-"""The law over all rules: who is outside may only stay or come back (safety S36).
+"""Judges ways by all rules: an arm found outside may only stay or come back (safety S36).
 
 A rule says of each of its bounds how far outside it a pose is. A target keeps every bound in full.
 On the way to it, and where the arm begins, measured noise is allowed, by so much once: it is
@@ -26,8 +26,8 @@ _EXACT: Final = 1e-3
 """Figures that differ by less are the same."""
 _FEW: Final = 8
 _MORE: Final = 4
-"""So many ways are looked at together behind one that breaks a rule, and so many times as many
-behind some that are clear.
+"""`_FEW` ways are examined together after one that breaks a rule, `_MORE` times as many as before
+after clear ones.
 """
 
 
@@ -56,7 +56,7 @@ class Rule(Protocol):
     Attributes:
         name: The name, which is no other rule's.
         bounds: The names of its bounds.
-        noise: By how much a pose that is measured may be outside without being so, in its unit.
+        noise: The tolerance for measured poses, in the rule's unit.
         exact: By how much a target may miss a bound, in its unit: rounding to the steps of the bus.
         may_stay: True if an arm outside may be sent to a place that is outside, too, as along the
             plane it is too near to; false if a target is inside always, as the firmware wants of
@@ -120,12 +120,12 @@ class Judgement:
 
 
 def judge(way: Way, rules: Iterable[Rule], marks: Marks) -> Judgement:
-    """Return what the law says of a way.
+    """Return the judgement of a way by all rules.
 
     Args:
         way: The way.
         rules: All rules in force.
-        marks: Those known; a bound without one gets its own here.
+        marks: The known marks; a bound without one is marked by the way's begin.
     """
     after = dict(marks)
     for rule in rules:
@@ -163,7 +163,7 @@ def breaches(ways: Sequence[Way], rule: Rule) -> Iterator[tuple[int, Excess]]:
         if first is None:
             begin, count = begin + count, _MORE * count
             continue
-        # up to there all are clear; what follows is looked at in small parts again
+        # All ways before it are clear; the next ones are examined in small groups again.
         ends = np.cumsum([len(way.joints_deg) for way in some])
         place = int(np.searchsorted(ends, first.index, side="right"))
         worst = _worst_on(some[place], rule, first)
@@ -173,7 +173,7 @@ def breaches(ways: Sequence[Way], rule: Rule) -> Iterator[tuple[int, Excess]]:
 
 
 def _worst_on(way: Way, rule: Rule, first: Excess) -> Excess | None:
-    """Return the worst place of a way; ``None`` if the first one was only told a little early."""
+    """Return the worst place of a way; ``None`` if `first` is within the search's tolerance."""
     worst = max(_worst(way.joints_deg, rule), first, key=lambda each: each.outside)
     if not worst.outside > rule.exact:
         worst = _worst(rule.finely(way), rule)
@@ -213,8 +213,8 @@ def _marks_of(rule: Rule, begin: Array, marks: Marks) -> Array:
 def _allowed_at_end(rule: Rule, mark: Array, begin: Array) -> Array:
     """Return (bounds,) how far outside a target may be.
 
-    It is inside, unless the arm was found outside. What trembles at a bound may stay there, and
-    what has sagged far beyond it may come back a part of the way.
+    A target must be inside, unless the arm was found outside. A part measured about a bound may
+    stay there, and one sagged far beyond it may come back partly.
     """
     if not rule.may_stay:
         return np.full(len(mark), rule.exact)
@@ -234,9 +234,9 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> tuple[E
     mark = _marks_of(rule, begin, marks)
     at_end = _allowed_at_end(rule, mark, begin)
     beyond = np.flatnonzero(end > at_end)
-    # what is found outside is followed pose by pose, as it may only come back
+    # Bounds with the arm outside are followed pose by pose: it may only come back.
     outside = (begin > mark + rule.noise) | (mark > 0.0)
-    # what is far from a bound at both ends of a short way cannot come to it between them
+    # A short way cannot reach a bound that is far away at both of its ends.
     room = rule.noise - np.where(outside, -np.inf, np.maximum(begin, end)).max()
     near = not rule.reaches_mm or way.travel_mm(rule.reaches_mm) / 2.0 > room
     breach = rule.breach(way, np.where(outside, np.inf, rule.noise)) if near else None
@@ -246,7 +246,7 @@ def _judge(way: Way, rule: Rule, marks: dict[tuple[str, str], float]) -> tuple[E
         worst = int(beyond[np.argmax((end - at_end)[beyond])])
         breach = Excess(worst, float(end[worst]), way.end_deg)
     if breach is not None and not rule.reaches_mm and end[breach.bound] > breach.outside:
-        # of a joint its target is told, which was typed, and not where the way leaves the limits
+        # For a joint's limit the target is reported, as it was typed, not where the way leaves.
         breach = Excess(breach.bound, float(end[breach.bound]), way.end_deg, index=breach.index)
     if breach is not None:
         return breach, bool(outside[breach.bound])
@@ -260,7 +260,7 @@ def _deeper(way: Way, rule: Rule, mark: Array, outside: Flags) -> Excess | None:
     poses = rule.finely(way)
     found = rule.outside(poses)
     least = np.minimum.accumulate(found, axis=0)
-    # an arm that sags stands further outside than its mark: it is held to where it stands
+    # An arm that sags is further outside than its mark: its present place counts instead.
     sagged = found[0] > mark + rule.noise
     allowed = np.where(sagged, np.maximum(least, 0.0), np.clip(np.minimum(mark, least), 0.0, None))
     allowed = allowed + np.where(sagged & (least > 0.0), 0.0, rule.noise)

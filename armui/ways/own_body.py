@@ -1,4 +1,4 @@
-"""Tells how near parts of the arm are to each other: capsules along its links.
+"""Computes the distances between the arm's own parts, as capsules along its links.
 
 The capsules are as large as the meshes in ``urdf/``, a little within the covers: a reported
 collision is a real contact. Neighbouring parts are left out, because their joints' limits keep them
@@ -111,7 +111,7 @@ class OwnBody:
         names = [f"{fixed.part}/{moving.part}" for fixed, moving in pairs]
         self.pairs = tuple(dict.fromkeys(names))
         rods = list(dict.fromkeys(fixed for fixed, _ in pairs))
-        # a capsule that is seen from two links is moved in two ways
+        # a capsule seen from two links occurs once for each
         seen = list(dict.fromkeys((moving, fixed.link) for fixed, moving in pairs))
         self._geometry, self._rods = geometry, _Rods(rods)
         self._moved = MovedCapsules(
@@ -157,7 +157,7 @@ class OwnBody:
         radius_mm = float(self._moved.radii_mm[capsule])
         place = place_between(self._rods, ends[nearest], radius_mm, rod)
         x, y, z = (frame[:3, :3] @ place + frame[:3, 3]).tolist()
-        # the fingers lie in the axis of joint 6, and so are told of link 5
+        # Joint 6 does not move the fingers' axis: the contact is reported for link 5.
         is_hand = self._moved.parts[capsule] == "gripper"
         both = self._rods.links[rod], JOINT_COUNT if is_hand else self._moved.links[capsule]
         return Contact(tuple(joints_deg), both, (x, y, z))
@@ -221,7 +221,7 @@ class _Rods:
         start, end = self._starts[which], self._ends[which]
         apart = _apart(ends[:, 0], ends[:, 1], start, end)
         distances = np.sqrt(_dot(apart, apart))
-        # Lines that cross have no direction between them; zero for it is a valid support, too.
+        # Crossing lines have no direction between them; zero is a valid support, too.
         apart /= np.where(distances > _SMALL_MM, distances, np.inf)[:, None]
         heights = np.maximum(_dot(apart, start), _dot(apart, end))
         radii_mm = self._radii_mm[which]
@@ -258,7 +258,7 @@ def _pairs(
 
 
 def _carried(arm: Links, tool: ToolCapsule | None, held: HeldShape | None) -> Iterator[_Capsule]:
-    """Return what is fixed to the flange beside the gripper."""
+    """Return the capsules fixed to the flange beside the gripper."""
     if tool is not None:
         begin, end = (
             _in_flange(arm, [share * part for part in tool.tip_mm]) for share in tool.ends
@@ -277,7 +277,7 @@ def _in_flange(arm: Links, place: Sequence[float]) -> Array:
 def _with(
     geometry: Geometry, arm: Links, carried: Iterator[_Capsule]
 ) -> Iterator[tuple[_Capsule, _Capsule]]:
-    """Return the parts that what is carried could meet: also the forearm behind a bent tool."""
+    """Return the parts that a carried object could meet; behind a bent tool also the forearm."""
     fixed_parts = (*_fixed(geometry, arm), _forearm(geometry, arm))
     for moving in carried:
         for fixed in fixed_parts:

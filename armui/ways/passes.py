@@ -16,7 +16,7 @@ class Pass:
 
     Attributes:
         way: The way that was checked; ``None`` of what moves no joint.
-        rules: What it was checked against: with other rules it counts no more.
+        rules: The rules it was checked against; with other rules it is void.
     """
 
     way: Way | None = None

@@ -60,13 +60,13 @@ OWN_BODY: Final = "own_body"
 _NOISE_MM: Final = 1.0
 _EXACT_MM: Final = 0.01
 _SOME: Final = 129
-"""So many poses tell how low a way leads."""
+"""The number of poses by which the lowest height of a way is found."""
 _FINE_DEG: Final = 0.1
 _WITH_RAMPS: Final = 1.5
-"""So much longer takes a way with what the ramps of the joints may do to it."""
+"""The factor by which a check takes longer with the joints' ramps."""
 _FLANGE: Final = 6
 _OWN_BODY_ZONES: Final = 10
-"""The arm's own body takes about as long to look at as so many planes and boxes."""
+"""The check of the arm's own body takes as long as that of this many planes and boxes."""
 
 
 class LimitsRule:
@@ -200,7 +200,7 @@ class FloorRule:
         return self._check.finely(way.joints_deg)
 
     def contact(self, breach: Excess) -> Contact:
-        """Return where what is lowest comes to the height."""
+        """Return where the lowest part reaches the height."""
         return self._check.contact(breach.joints_deg, breach.bound)
 
     def refuse(self, breach: Excess, *, found_outside: bool) -> Refusal:  # noqa: ARG002 - one sentence
@@ -281,14 +281,14 @@ class Rules:
         return tuple(max(each) for each in zip(*of_rules, strict=True))
 
     def effort(self, way: Way) -> float:
-        """Return how much there is to look at on a way: its turn times what it may come to."""
+        """Return the effort of checking a way: its turn in degrees times the obstacles."""
         turn_deg = way.turn_deg * (_WITH_RAMPS if way.is_joint_move else 1.0)
         zones = sum(len(rule.bounds) for rule in self.every if rule.name == AREA)
-        # a motion that goes on fluently cannot wait for a thread
+        # A motion that continues without braking cannot wait for the thread of long checks.
         return turn_deg * (zones if any(way.spread_deg) else _OWN_BODY_ZONES + zones)
 
     def ramped(self, way: Way) -> Way:
-        """Return a way with what the ramps of the joints may do to it."""
+        """Return a way with the deviations that the joints' ramps may cause."""
         speeds = [each.max_speed_deg_s for each in self.arm.limits]
         return with_ramps(way, speeds, self.arm.accelerations_deg_s2)
 
@@ -323,7 +323,7 @@ class Rules:
             return None
         depths_mm = self._floor.outside(_some_poses(way))[:, 0]
         deepest_mm, begin_mm = float(depths_mm.max()), float(depths_mm[0])
-        # no noise is granted: many motions would be granted it many times
+        # without a tolerance, which would add up over many motions
         return -deepest_mm if deepest_mm > max(-agreed_mm, begin_mm) + _EXACT_MM else None
 
     @cached_property
@@ -332,7 +332,7 @@ class Rules:
 
     @property
     def are_bounded(self) -> bool:
-        """True if a work area or a least height is in force, which a way nobody knows may leave."""
+        """True if a work area or a least height is in force, which an unknown way might break."""
         return any(rule.name in {AREA, FLOOR} for rule in self.every)
 
 
@@ -357,9 +357,9 @@ def rules_of(arm: ArmModel, area: AreaCheck | None = None, lowest_mm: float | No
 
 
 def _some_poses(way: Way) -> Array:
-    """Return (n, 6) poses on a way, few enough for the window's thread; a mm may lie between them.
+    """Return (n, 6) poses on a way, few enough for the window's thread; a mm may lie between.
 
-    Its law is not judged by them: they tell how low it leads before somebody agrees to it.
+    They only serve to find the lowest height before the operator is asked, not for the check.
     """
     turns_deg = np.abs(np.diff(way.joints_deg, axis=0)).max(axis=1)
     at = np.concatenate(([0.0], np.cumsum(turns_deg)))
@@ -405,7 +405,7 @@ def _level(rising: Rising, height_mm: float) -> tuple[float, ...]:
 
 
 def _low_parts(arm: ArmModel) -> tuple[Capsule, ...]:
-    """Return what counts for the height: flange, fingertip or tool, and what is held."""
+    """Return the parts that count for the height: flange, fingertip or tool, and held object."""
     nothing = (0.0, 0.0, 0.0)
     parts = [Capsule("hand", _FLANGE, nothing, nothing, 0.0)]
     if arm.tool is None:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 _SHARES: Final = tuple(eighths / 8.0 for eighths in range(8, 0, -1))
 _BEYOND_DEG: Final = 0.5
-"""Beyond each end so much must be free, too: a joint that is told to turn back does so late."""
+"""The space that must be free beyond each end, as a joint turns back with a delay."""
 LEAST_DEG: Final = 10.0
 """A joint that may swing over less in all is not measured: it hardly comes up to its speed."""
 
@@ -77,7 +77,7 @@ def swings(
 
 
 def _in_its_words(joint: int, refusal: Refusal) -> Refusal:
-    """Return a reason as one of a swing: nobody has typed an angle of its joint."""
+    """Return a reason in the words of a swing, as the operator has typed no angle."""
     own = refusal.reason == JOINT_OUT_OF_LIMITS and refusal.params.get("joint") == joint
     if not own:
         return refusal

@@ -15,7 +15,7 @@ Array = npt.NDArray[np.float64]
 
 _STILL: Final = (0.0,) * 6
 _STEPS: Final = 24
-"""A motion of the joints is looked at in so many steps of its time, and where a ramp ends."""
+"""The number of steps in time for a motion of the joints, beside the ends of its ramps."""
 _SAME_DEG: Final = 0.02
 """Joints that are off an even turn by no more than this turn evenly."""
 _SLOWEST: Final = 0.05
@@ -97,12 +97,12 @@ def joint_way(begin_deg: Sequence[float], end_deg: Sequence[float]) -> Way:
 
 
 def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]) -> Way:
-    """Return a way with what the ramps of the joints may do to it.
+    """Return a way with the deviations that the joints' ramps may cause.
 
-    The joints start and arrive together, but what turns far needs longer to come up to its speed
-    and to brake: meanwhile the others are ahead of it, and behind it at the end. Whether an arm
-    does so, and how much at a lower speed, nobody promises. So each joint counts wherever it may be
-    between an even turn and the one with its own ramps at full speed.
+    The joints start and arrive together, but one that turns far accelerates and brakes for longer:
+    the others are ahead of it at first, and behind it at the end. The maker does not document this.
+    So each joint is checked wherever it may be between an even turn and one with its own ramps at
+    full speed.
 
     Args:
         way: The way; one that is no motion of the joints stays as it is.
@@ -123,7 +123,7 @@ def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]
     times_s = np.unique(np.concatenate((times_s, ends_s, lasting_s - ends_s)))
     places = trapezoids.places(times_s[:, None], lasting_s, even, ramps)
     shares = np.clip(places / np.where(turns > 0.0, turns, 1.0), 0.0, 1.0)
-    # the way is that of the joint with the longest ramps, and the others are off it
+    # The way follows the joint with the longest ramps; the others deviate from it.
     longest = shares[:, [int(np.argmax(ends_s))]]
     beside_deg = np.abs(shares - longest) * turns / 2.0
     if beside_deg.max() <= _SAME_DEG:
@@ -135,7 +135,7 @@ def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]
 
 
 def rest_of(way: Way, begin_deg: Sequence[float]) -> Way:
-    """Return what is left of a way for an arm that stands at six angles on it."""
+    """Return the rest of a way for an arm that stands at six angles on it."""
     begin = np.array(begin_deg, dtype=float)
     nearest = int(np.abs(way.joints_deg - begin).max(axis=1).argmin())
     ahead = way.joints_deg[min(nearest + 1, len(way.joints_deg) - 1) :]

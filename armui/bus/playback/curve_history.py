@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from armui.telemetry.series_columns import FrameColumns
     from armui.telemetry.store import Telemetry
 
-# Between a replay and the series of its curves: frame by frame, or many frames at once.
+# Feeds the series of a replay's curves, frame by frame or many frames at once.
 
 COMMAND_IDS = frozenset(MOTION_IDS | OTHER_COMMAND_IDS)
 """The identifiers of commands to the arm. If the recording program has sent such a frame, it was
@@ -40,6 +40,7 @@ _LOG: Final = logging.getLogger(__name__)
 FILL_ROWS: Final = 32_768
 """The number of frames added at once: a millisecond for each message."""
 _TURN_S: Final = 0.004
+"""The reader pauses after working this long, so that it does not hold Python's GIL."""
 _LONGEST_REST_S: Final = 0.02
 """The longest pause. The thread rests as long as it has worked, so other threads get Python's lock
 first.
@@ -181,7 +182,7 @@ class CurveHistory:
         listener = SeriesListener(self.telemetry)
         try:
             self.is_whole = fill(listener, self._cursor, self.begin_s, self.end_s, self._goes_on)
-        except Exception:  # noqa: BLE001 - whatever is wrong with a file: what is near is shown
+        except Exception:  # noqa: BLE001 - a damaged file: the curves near the place are shown
             _LOG.exception("The curves of a log could not be read")
         self.is_over = True
         if self._wanted:

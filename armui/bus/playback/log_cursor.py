@@ -130,7 +130,7 @@ class LogCursor:
         return True
 
     def _rows_until(self, end_s: float, most: int) -> np.ndarray:
-        assert self._batch is not None  # noqa: S101 - said by _fill
+        assert self._batch is not None  # noqa: S101 - ensured by _fill
         left = self._rows[self._place : self._place + most]
         count = int(np.searchsorted(self._batch.times_s[left], end_s, side="right"))
         self._place += count

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from armui.telemetry.listener import Listener
     from armui.telemetry.series_columns import FrameColumns
 
-# Which frames of a slice of a log must be looked at one by one when it is played fast.
+# Selects the frames that must be processed one by one when a log is played fast.
 
 _IDS: Final = 0x800
 """The number of standard identifiers: 11 bits."""
@@ -60,10 +60,10 @@ _SETTLE_S: Final = 0.08
 
 
 class Folding:
-    """Picks the frames of a slice that tell something new; those left out are repeated later in it.
+    """Picks the frames of a slice with new content; those left out are repeated later in it.
 
     Args:
-        codec: How frames are decoded.
+        codec: The codec of the frames.
     """
 
     def __init__(self, codec: Codec) -> None:
@@ -182,7 +182,7 @@ class LogPlayer:
         if self.processor.codec is not before:
             self._folding = None
 
-    # Another place ----------------------------------------------------------------------------
+    # Going to another place -------------------------------------------------------------------
 
     def look_up(self, at_s: float) -> list[ReplayedFrame]:
         """Return the latest frame of each kind before a place; this may read from the disk."""
@@ -271,7 +271,7 @@ class LogPlayer:
 
         Args:
             until_s: Log time of the end.
-            speed: Above `ONE_BY_ONE_UP_TO` not every frame is looked at.
+            speed: Above `ONE_BY_ONE_UP_TO` not every frame is processed.
             is_wanted: Called after each slice; if it returns false, the rest is left.
         """
         if speed <= ONE_BY_ONE_UP_TO:

@@ -33,7 +33,7 @@ SLOWEST, FASTEST = 0.1, 20.0
 _TURN_S: Final = 0.01
 """The pause between two looks at the clock."""
 _END_MS: Final = 10_000
-"""The end of the program waits so long for the thread."""
+"""The longest time that the end of the program waits for the thread."""
 _LONGEST_TURN_S: Final = 0.25
 """The most that a turn may count: after the computer slept or was busy the log goes on where it
 was.
@@ -112,7 +112,7 @@ class LogWorker(QThread):
 
     @property
     def state(self) -> ArmState:
-        """The arm as heard; see `BusWorker.state`."""
+        """The arm's state; see `BusWorker.state`."""
         return self._player.processor.state
 
     @property
@@ -166,7 +166,7 @@ class LogWorker(QThread):
         """End the thread before Qt destroys it, which would abort the program."""
         self.close(_END_MS)
 
-    # The operator's wishes; any thread --------------------------------------------------------
+    # Control of the replay; any thread --------------------------------------------------------
 
     @property
     def is_playing(self) -> bool:
@@ -252,7 +252,7 @@ class LogWorker(QThread):
         return self._player.curves_from_s
 
     def _drop_history(self) -> None:
-        """Stop reading of another place: whoever looks up the next one goes first."""
+        """Stop reading the curves of the former place, which would delay going to the next one."""
         with self._wake:
             history, self._history, self._history_due = self._history, None, False
         if history is not None:
@@ -269,7 +269,7 @@ class LogWorker(QThread):
         self._report(BusState.OPEN)
         try:
             self._run()
-        except Exception as error:  # noqa: BLE001 - whatever is wrong with a file: it is told
+        except Exception as error:  # noqa: BLE001 - any error of a damaged file is reported
             self.failed.emit(str(error) or type(error).__name__)
         history, self._history = self._history, None
         if history is not None:
@@ -308,7 +308,7 @@ class LogWorker(QThread):
         return self._wanted is not None or here
 
     def _go_on(self, steps: int, passed_s: float) -> bool:
-        """Do what is to be done here and return whether it was playing."""
+        """Do the work due at the present place; return whether the log was played."""
         if self._is_history_to_do():
             self._see_to_history()
         if self._filling:
@@ -347,7 +347,7 @@ class LogWorker(QThread):
         return self._history_due and math.isfinite(self.curves_from_s)
 
     def _see_to_history(self) -> None:
-        """Begin to read it, once what is near is shown; show it when it is read."""
+        """Start reading the history once the near curves are shown; show it when it is read."""
         asked = self._asked
         with self._wake:
             history, self._history_due = self._history, False

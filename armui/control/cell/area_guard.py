@@ -1,7 +1,7 @@
 """Watches the forbidden side of a cell's work area.
 
-The gate keeps our own motions out of it. A hand, gravity and other hosts cannot be kept out: that
-they have come in is told at once, and ends their motion if the operator wants that.
+The gate keeps our own motions out of it. An arm moved by a hand, gravity or another host cannot be
+kept out: an intrusion is reported at once, and ends the motion if the operator has chosen that.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ AREA_LEFT = Notice(
 
 
 _DEEPER_MM: Final = 5.0
-"""Who goes on so much deeper is stopped once more."""
+"""An intruding arm that goes deeper by this much is stopped once more."""
 _OTHERS: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER})
 
 
@@ -87,7 +87,7 @@ class AreaGuard(ControllerPart):
         self._looked_by: AreaCheck | None = None
         self._ran = True
 
-    # What is known ----------------------------------------------------------------------------
+    # State ------------------------------------------------------------------------------------
 
     @property
     def area(self) -> Area | None:
@@ -101,7 +101,7 @@ class AreaGuard(ControllerPart):
         if joints_deg is None or check is None:
             return ()
         measured = (joints_deg, check)
-        if measured != self._measured:  # it is asked often, mostly of an arm that stands
+        if measured != self._measured:  # cached: mostly the arm stands still
             self._measured, self._seen = measured, check.look(joints_deg)
         return self._seen
 
@@ -118,7 +118,7 @@ class AreaGuard(ControllerPart):
         return tuple(each for each in self.look(state) if check.is_too_near(each))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
-        """Return where the measured arm is too near to its area most, or ``None``."""
+        """Return the worst place at which the measured arm is too near to its area, or ``None``."""
         entered = self.entered(state)
         if not entered:
             return None
@@ -158,10 +158,10 @@ class AreaGuard(ControllerPart):
     # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Tell what the arm has come into or left, and stop who else moves it if wanted.
+        """Report entering and leaving the area; stop another host's motion if that is chosen.
 
-        Each plane and box counts by itself: who is inside one may come into another. An arm that is
-        not heard has come into nothing and left nothing.
+        Each plane and box counts by itself: an arm inside one may enter another. Without feedback
+        nothing counts as entered or left.
         """
         context = self._context
         state, check = context.connection.newest, self.check()
@@ -175,7 +175,7 @@ class AreaGuard(ControllerPart):
     def _follow_measured(self, state: ArmState, check: AreaCheck | None) -> None:
         context = self._context
         inside = {each.zone.name: each for each in self.entered(state)}
-        # an area that was put around a standing arm is not said to have been entered
+        # The notice differs where the area was changed around the arm, and not entered by it.
         notice = AREA_ENTERED if check is self._looked_by else AREA_AROUND
         self._looked_by = check
         for name, entry in inside.items():

@@ -38,9 +38,9 @@ class ArmEvidence:
     """The last answers and angles of an arm, to tell it from another one later.
 
     Attributes:
-        heard_s: When that was.
-        answers: What it answered to the questions for its version and its limits.
-        joints_deg: Where its joints stood.
+        heard_s: Monotonic time at which it was last heard.
+        answers: Its answers to the questions for its version and its limits.
+        joints_deg: Its six joint angles then.
     """
 
     heard_s: float
@@ -51,9 +51,9 @@ class ArmEvidence:
         """Return whether an arm that has come is the one of this evidence.
 
         Args:
-            state: That arm as heard since.
+            state: The state of that arm, from its feedback since it came.
             handshake: The questions to it.
-            came_s: When it was heard first.
+            came_s: Monotonic time at which it was first heard.
         """
         joints_deg = state.angles_deg()
         enabled = [each.value.enabled for each in state.drivers_slow if each is not None]
@@ -73,7 +73,7 @@ class ArmEvidence:
 def evidence_of(state: ArmState, handshake: Handshake | None) -> ArmEvidence | None:
     """Return the evidence of an arm that is heard; ``None``: it is not known well enough.
 
-    Its answers must be complete, and all its motors reported enabled of late.
+    Its answers must be complete, and all its motors recently reported as enabled.
     """
     heard_s, joints_deg = state.last_feedback_s, state.angles_deg()
     if handshake is None or heard_s is None or joints_deg is None:

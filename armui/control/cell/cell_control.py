@@ -1,6 +1,6 @@
 """The cell in force: chosen by the operator, confirmed at each connection, changed while at rest.
 
-Without a cell everything is as it was: the tool is the one in the settings.
+While no cell is chosen, the tool of the settings applies and nothing is to be confirmed.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ class CellControl(ControllerPart):
         self._confirmed = False
         self._evidence: ArmEvidence | None = None
         self._came_s: float | None = None
-        """When an arm came after a silence of which it is not known yet whether it is the same."""
+        """When an arm came after a silence; ``None`` once it is known to be the same or not."""
         self._device: Device | None = None
         self._own_tool: tuple[float, ...] = NO_TOOL
         self._wanted_tool: tuple[float, ...] = NO_TOOL
@@ -122,7 +122,7 @@ class CellControl(ControllerPart):
         self.store: CellKeeper | None = None
         self.candidate: UserFrame | None = None
 
-    # What is known --------------------------------------------------------------------------
+    # State ----------------------------------------------------------------------------------
 
     @property
     def cells(self) -> Mapping[str, Cell]:
@@ -161,7 +161,7 @@ class CellControl(ControllerPart):
         return None if self.cell.is_empty else CELL_NOT_CONFIRMED(name=self._name)
 
     def holding(self) -> CellInForce:
-        """Return what of a cell is in force; without one the tool of the settings."""
+        """Return the parts of the cell in force; without a cell the tool of the settings."""
         cell = self.in_force
         return CellInForce(tool=Tool("", self._own_tool)) if cell is None else cell_in_force(cell)
 
@@ -185,7 +185,7 @@ class CellControl(ControllerPart):
 
         return held_shape(held)
 
-    # What the program tells -----------------------------------------------------------------
+    # Changes by the program -----------------------------------------------------------------
 
     def use_own_tool(self, tool: tuple[float, ...]) -> None:
         """Take the tool of the settings, which holds while no cell is in force; at rest."""
@@ -219,32 +219,32 @@ class CellControl(ControllerPart):
         self._context.tell(CELL_PROBLEM, reason=reason)
 
     def propose(self, frame: UserFrame | None) -> None:
-        """Have a user frame shown that is not taken yet, or none any more."""
+        """Show a user frame as a candidate before it is taken; ``None`` shows none any more."""
         if frame != self.candidate:
             self.candidate = frame
             self._announce(self.cell)
 
     def begin_device(self, device: Device) -> None:
-        """A device is opened: its own cell is to be confirmed before anything moves."""
+        """Choose the cell kept for a device being opened; nothing moves before it is confirmed."""
         self._device = device
         self._name = "" if self.store is None else self.store.kept(device.arm_key())
         self.forget_arm()
 
     def end_device(self) -> None:
-        """The device was closed by the operator: the cell stays chosen."""
+        """Note that the operator has closed the device; the cell stays chosen."""
         self._device = None
         self.use_own_tool(self._wanted_tool)
 
     def forget_arm(self) -> None:
-        """Have the cell confirmed again: what is heard next may be another arm."""
+        """Require the cell to be confirmed again: the next arm heard may be another one."""
         self._confirmed, self._evidence, self._came_s = False, None, None
         self.arms += 1
         self._take_effect()
 
     def arm_came(self) -> None:
-        """Have the cell confirmed again, unless the arm shows that it is the one of before.
+        """Require the cell to be confirmed again, unless the arm proves to be the former one.
 
-        Until it has answered nothing moves.
+        Nothing moves until the arm has answered.
         """
         in_force = self.confirmed or self._came_s is not None
         self._confirmed, self._came_s = False, None
@@ -396,7 +396,7 @@ class CellControl(ControllerPart):
             self._take_effect()
 
     def follow_arm(self) -> None:
-        """Look at what another program keeps, whether it is the arm of before, at the gripper."""
+        """Follow other programs' choice of the cell, the arm's identity, and the gripper."""
         self._follow_kept()
         if self._wanted_tool != self._own_tool:
             self.use_own_tool(self._wanted_tool)
@@ -404,7 +404,7 @@ class CellControl(ControllerPart):
         self._follow_gripper()
 
     def _follow_gripper(self) -> None:
-        """Say that the gripper has opened although something is marked as held."""
+        """Warn when the gripper has opened although an object is marked as held."""
         cell, gripper = self.cell, self._context.state().gripper
         opening_mm = None if gripper is None else gripper.value.opening_mm
         if cell is None or not cell.held or opening_mm is None:
@@ -416,7 +416,7 @@ class CellControl(ControllerPart):
             self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
 
     def _follow_kept(self) -> None:
-        """Take the cell that is kept for this adapter by now, unless one was chosen here."""
+        """Take the cell that another program keeps for this adapter, unless one was chosen here."""
         if self._device is None or self._confirmed or self.store is None:
             return
         name = self.store.kept(self._device.arm_key())
@@ -431,7 +431,7 @@ class CellControl(ControllerPart):
     def why_no_pose(self) -> Refusal | None:
         """Return why the pose of the flange cannot be taken now, or ``None``.
 
-        Only what is measured counts, of an arm that is heard and measured at rest.
+        Only a measured pose counts, of an arm that is heard and at rest.
         """
         context = self._context
         now = context.operating_state()
@@ -454,7 +454,7 @@ class CellControl(ControllerPart):
         return tuple(pose)
 
     def _why_holding(self) -> Refusal | None:
-        """Return why the cell may not be left: what is held would count no more."""
+        """Return why another cell may not be chosen: the held object would no longer count."""
         held = "" if self.in_force is None else self.in_force.held
         return HELD_IN_HAND(name=held) if held else None
 
@@ -484,7 +484,7 @@ class CellControl(ControllerPart):
         self._context.refresh()
 
     def _take_effect(self) -> None:
-        """Pass on the tool; a target of ours that was told with another one is none any more."""
+        """Pass on the tool; if it has changed, no step starts from our last target any more."""
         holding = self.holding()
         tool = holding.tool.pose
         self._cartesian.tool_radius_mm = holding.tool.radius_mm

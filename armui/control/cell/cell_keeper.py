@@ -86,8 +86,7 @@ class CellKeeper:
     def kept(self, arm_key: str) -> str:
         """Return the name of the cell an arm belongs to, "" for none.
 
-        What is kept and is no name is returned as it stands: a cell that cannot be read is not
-        taken for none.
+        An invalid name is returned unchanged, so that an unreadable cell does not count as none.
         """
         name = self._settings.settings.cells.get(arm_key)
         return name or self._settings.strange("cells", arm_key) or ""

@@ -12,7 +12,7 @@ class AreaIntrusion:
     Attributes:
         name: The name of the plane or box.
         part: The part of the arm.
-        value_mm: By how much it is too near.
+        value_mm: The missing distance, in mm.
     """
 
     name: str

@@ -115,13 +115,13 @@ class _Travel:
     """A motion under way.
 
     Attributes:
-        target: Where it was sent, mm or degrees.
-        last: Where it was seen last.
+        target: The target, in mm or degrees.
+        last: The last reported place.
         moved_s: When it was last seen to move, or heard again after a gap in its feedback.
         heard_s: When it was last heard.
-        unit: Of both.
-        effort: What it was sent with.
-        started: The command; of a run, which tells of itself, there is none.
+        unit: The unit of `target` and `last`.
+        effort: The torque in N·m (generation 2) or the speed in rad/s (generation 1).
+        started: The record of the command; ``None`` in a run, which reports its own outcome.
     """
 
     target: float
@@ -139,7 +139,7 @@ def why_not_gripper(
     """Return why the gripper may not be commanded, or ``None``.
 
     Args:
-        now: What the operator can do.
+        now: The operating state.
         moving: True if the command moves the gripper or lets it hold.
         letting_go: True if the command takes its power: it may hold a finger, so a run is no reason
             against it; the run ends.
@@ -240,7 +240,7 @@ class GripperControl(RequestingPart[str]):
 
     @property
     def own_figures(self) -> Figures:
-        """The same without the gripper's table: as the arm itself counts."""
+        """The ranges without the gripper's table, in the arm's own values."""
         generation, state = self._context.connection.generation, self._context.state()
         return gripper_figures(generation, state, by_angle=self.tells_angle)
 
@@ -257,7 +257,7 @@ class GripperControl(RequestingPart[str]):
         return self._shown(gripper.travel, gripper.unit)
 
     def heading(self, unit: str) -> float | None:
-        """Return where the gripper is being sent, or else stands, calibrated.
+        """Return the gripper's target while it moves, else its place; calibrated.
 
         One that holds something is still being sent beyond it: that is what it holds with. ``None``
         if it is not told in this unit.
@@ -288,7 +288,7 @@ class GripperControl(RequestingPart[str]):
         return replace(action, opening_mm=self._asked(action.opening_mm, _MM))
 
     def _asked(self, travel: float, unit: str) -> float:
-        """Return what to ask the arm for, within its own stroke."""
+        """Return the opening to command, within the arm's own stroke."""
         table = self._table_of(unit)
         if table is None:
             return travel
@@ -410,7 +410,7 @@ class GripperControl(RequestingPart[str]):
         self._start(started, "zero", frames, lambda gripper: abs(gripper.travel) <= _THERE)
         return None
 
-    # How it is carried out --------------------------------------------------------------------
+    # Carrying out -----------------------------------------------------------------------------
 
     def _last_feedback(self) -> GripperState | None:
         heard = self._context.state().gripper
@@ -431,7 +431,7 @@ class GripperControl(RequestingPart[str]):
         frames: Sequence[Frame],
         seen: Callable[[GripperState], bool],
     ) -> None:
-        """Send something, again until the gripper shows it."""
+        """Send a command, and repeat it until the gripper's feedback shows its effect."""
         context = self._context
         self._commanded_s = since_s = context.clock()
 
@@ -460,7 +460,7 @@ class GripperControl(RequestingPart[str]):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Follow what is under way in the gripper's feedback; it gives way to another host's."""
+        """Follow the request and the motion; drop the request if another host commands."""
         if self._context.authority.other.has_commanded_gripper(self._commanded_s):
             self._drop_request()
         if self._travel is not None:
@@ -473,12 +473,12 @@ class GripperControl(RequestingPart[str]):
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
         if feedback is None or not feedback.fresh(now_s):
-            self._lose(travel)  # whether it arrives cannot be known; its silence is told elsewhere
+            self._lose(travel)  # no feedback: its arrival cannot be seen
             return
         heard = feedback.value
         if heard.unit != travel.unit:
             if now_s - travel.moved_s >= _STANDS_S:
-                self._lose(travel)  # it goes on reporting in the other unit
+                self._lose(travel)  # it never reported in the unit of its target
             return
         late = feedback.at_s - travel.heard_s > LATE_S
         travel.heard_s = max(travel.heard_s, feedback.at_s)
@@ -517,15 +517,15 @@ class GripperControl(RequestingPart[str]):
     def end_travel(self) -> None:
         """End a motion of the gripper that is under way, by sending it to its present place.
 
-        It keeps hold of whatever it grips by then.
+        It keeps holding an object that it has gripped meanwhile.
         """
-        travel = self._travel or self._to_hold  # told again while its report is awaited
+        travel = self._travel or self._to_hold  # `_to_hold` waits for a new report
         self._drop_request()
         if travel is not None:
             self._hold_here(travel)
 
     def _hold_here(self, travel: _Travel) -> None:
-        """Send it to its present place; its next report tells that where the last one is old."""
+        """Send it to its present place, which its next report gives if the last one is too old."""
         context = self._context
         heard, now_s = context.connection.newest.gripper, context.clock()
         if heard is None or not heard.fresh(now_s) or context.authority.other.why_not() is not None:

@@ -67,7 +67,7 @@ class Lights:
         self._counter = 0
 
     @operation("lamps.set", "Set the lamps of a joint", why_no_lamps)
-    def set_light(  # noqa: PLR0917 - a lamp, and its colour as everybody writes one
+    def set_light(  # noqa: PLR0917 - a lamp and its colour as red, green, blue
         self, started: Started, joint: JointNumber, lamp: Lamp, red: Grey, green: Grey, blue: Grey
     ) -> Refusal | None:
         """Set the colour of a lamp of a joint.

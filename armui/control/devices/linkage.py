@@ -68,7 +68,7 @@ def why_not_link(now: OperatingState) -> Refusal | None:
 
 
 def _why_in_use(now: OperatingState) -> Refusal | None:
-    """Tell what the arm does that a change of its identifiers would cut off."""
+    """Return the activity that a change of the arm's identifiers would cut off, as a reason."""
     return now.occupied or (LINKAGE_WHILE_MOVING() if now.moving else None)
 
 
@@ -161,7 +161,7 @@ class LinkageControl(AnsweredPart, ControllerPart):
         """Tell the operator when the arm is heard under other identifiers."""
         offsets = self._context.connection.offsets
         if self._context.operating_state().teaching_input:
-            offsets.keeps_input = False  # in force: what is heard tells it from here on
+            offsets.keeps_input = False  # in force: now the feedback shows the role
         if (offsets.addressing, offsets.control_known) == (self._used, self._was_known):
             return
         self._used, self._was_known = offsets.addressing, offsets.control_known

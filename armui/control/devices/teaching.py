@@ -31,6 +31,7 @@ TEACHING_UNANSWERED = Notice(
 )
 
 _ANSWER_S: Final = 1.5
+"""The arm must show within this time that it has obeyed a command which sets it going."""
 
 _LEADS_TO: Final[Mapping[TeachingState, frozenset[TeachingPhase]]] = {
     TeachingState.START_RECORDING: frozenset({TeachingPhase.RECORDING}),

@@ -132,7 +132,7 @@ def is_own_replay(status: Status) -> bool:
 
 
 def may_replay(status: Status | None) -> bool:
-    """Return whether the arm may follow its own recording by now: what was heard last may be older.
+    """Return whether the arm may follow its own recording now; the last status may be outdated.
 
     A replay begins in drag teaching only, and not while the hand is recorded.
     """

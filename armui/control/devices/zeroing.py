@@ -153,14 +153,14 @@ class Zeroing(AnsweredPart):
         return None
 
     def _why_unheard(self, joints: Sequence[int]) -> Refusal | None:
-        """Tell that the angles are not heard: what became of the zero could not be seen."""
+        """Return a reason if the angles are not heard: the new zero could not be verified then."""
         state, now_s = self._context.state(), self._context.clock()
         heard = [state.joints_deg[joint - 1] for joint in joints]
         known = all(each is not None and each.fresh(now_s) for each in heard)
         return None if known else JOINTS_UNKNOWN()
 
     def _why_not_any_more(self, joints: Sequence[int], pressed: ArmState) -> Refusal | None:
-        """Tell what came up since the press: a stop, a motion, a joint that stands elsewhere."""
+        """Return what has come up since the press: a stop, a motion, or a joint that has moved."""
         operating_state, state = self._context.operating_state(), self._context.state()
         refusal = why_no_command(operating_state.unreachable, operating_state.stop, None)
         refusal = refusal or operating_state.occupied or why_not_still(state)
@@ -194,7 +194,7 @@ def _off_zero(joints: Sequence[int], state: ArmState) -> list[int]:
 
 
 def _shown(joints: Sequence[int], state: ArmState, since_s: float) -> bool:
-    """Return whether the angles tell of the zero: they are at it, or have had time to be."""
+    """Return whether the angles can be judged: they are at the new zero, or have had time to be."""
     heard = [state.joints_deg[joint - 1] for joint in joints]
     times = [each.at_s for each in heard if each is not None and each.at_s > since_s]
     if len(times) < len(joints):

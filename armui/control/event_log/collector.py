@@ -124,11 +124,11 @@ class EventCollector(ControllerPart):
         for change in self._observer.forget(self._context.clock()):
             self._writer.write(change)
 
-    # What is told -----------------------------------------------------------------------------
+    # Notices ----------------------------------------------------------------------------------
 
     def on_noticed(self, event: Event) -> None:
         """Add a notice that the operator is told."""
-        self._take_in()  # events heard earlier come first
+        self._take_in()  # keep the order of time: earlier feedback first
         self._take_results()
         notice, params = event.notice, dict(event.params)
         now_s = self._context.clock()
@@ -163,7 +163,7 @@ class EventCollector(ControllerPart):
             self._followed[entry.number] = event.started
 
     def _take_results(self) -> None:
-        """Write down what has become of the commands since the last look."""
+        """Write down the outcomes of commands since the last call."""
         for number, started in self._followed.items():
             self.log.change(number, answer=started.answer, result=started.result)
         ended = [number for number, each in self._followed.items() if each.ending is not None]
@@ -189,7 +189,7 @@ class EventCollector(ControllerPart):
         if own.started is not None:
             self._followed[entry.number] = own.started
 
-    # What is heard ----------------------------------------------------------------------------
+    # Feedback ---------------------------------------------------------------------------------
 
     def _take_in(self) -> None:
         connection = self._context.connection

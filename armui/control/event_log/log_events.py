@@ -120,7 +120,7 @@ def log_events(
     if rows is not None:
         marks = [each for each in marks if each.entry.get("code") not in _STATUS]
         entries = _events_heard(rows, channel, arm, wall)
-    # an episode has the events of its beginning and end
+    # an episode needs no entry of its own: its beginning and its end have theirs
     told_of = [each for each in marks if each.entry.get("code") != "episode"]
     entries += [entry_of(each, wall) for each in told_of]
     return LoggedEvents(_log_of(entries), found)
@@ -129,7 +129,7 @@ def log_events(
 def _gathered(
     session: Session, channel: Channel, arm: RecordedArm, is_wanted: Callable[[], bool]
 ) -> IdRows:
-    """The frames that tell what happened."""
+    """Return the frames in which events, faults and silences are searched."""
     from armui.control.event_log.status_listener import WATCHED  # noqa: PLC0415 - with such a log
     from armui.session.log_marks import IdRows, marked_ids  # noqa: PLC0415 - numpy
 
@@ -149,10 +149,10 @@ def entry_of(mark: SessionMark, wall: Wall) -> EventEntry:
 
 
 def _worded(mark: SessionMark, wall: Wall) -> EventEntry:
-    """A mark in the words that it has live.
+    """Return a mark as an event, in the sentence it has while connected.
 
     Raises:
-        ValueError, TypeError: It holds something else than this program writes.
+        ValueError, TypeError: The mark does not have the form that this program writes.
     """
     code = str(mark.entry.get("code", ""))
     if mark.entry.get("kind") == "lost":
@@ -201,7 +201,7 @@ def _row(joint: object, item: Item, word: Word) -> tuple[Observed, dict[str, obj
 
 
 def _unknown(mark: SessionMark, wall: Wall) -> EventEntry:
-    """A newer program's, or a damaged line's: it is shown as it stands there."""
+    """Return an event for a mark of a newer program or a damaged line, with its code unchanged."""
     params = {"code": str(mark.entry.get("code", mark.entry.get("kind", "?")))}
     faults = {MarkKind.FAULT, MarkKind.STOP}
     level = Level.FAULT if mark.kind in faults else Level.INFO

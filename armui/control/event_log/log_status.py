@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 MOST: Final = 20_000
 """The most changes kept; a log with more is noise, and further ones are left out."""
 _BEFORE_ALL, _BEFORE = -0.5, -0.25
-"""Of what one frame tells, a silence before it comes first, then how many came, then itself."""
+"""Offsets that sort the changes of one frame: the silence before it, the rate, the frame itself."""
 
 
 def status_changes(session: HasDataRows, channel: Channel, codec: Codec) -> list[StatusChange]:
@@ -97,7 +97,7 @@ def _changes(
 
 
 def _firsts(rows: DataRows, begins: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The first row, and the first one after each silence."""
+    """Return the indices of the first row, and of the first one after each silence."""
     places = np.searchsorted(rows.numbers, begins)
     return np.unique(np.concatenate([[0], places[places < rows.numbers.size]])).astype(np.int64)
 

@@ -80,14 +80,14 @@ _AS_BEFORE: Final = 0.975
 
 @dataclass(slots=True)
 class _Series:
-    """Frames that come again and again.
+    """A series of frames of one kind, counted as one event.
 
     Attributes:
-        count: How many.
-        last_s: When the last one came.
-        told: The count that was told.
-        told_s: When.
-        since_s: When the first one came.
+        count: The number of frames.
+        last_s: The time of the last one.
+        told: The count that was last reported.
+        told_s: The time of that report.
+        since_s: The time of the first one.
     """
 
     count: int
@@ -153,7 +153,7 @@ class EventObserver:
         self._forgot_s, self._silent_since_s = now_s, None
         return ended
 
-    # What the arm says ------------------------------------------------------------------------
+    # The arm's reports ------------------------------------------------------------------------
 
     def _on_heard(self, heard: StatusChange) -> Iterator[EventChange]:
         if heard.name == h.STATUS:
@@ -172,7 +172,7 @@ class EventObserver:
             yield from self._on_rate(heard.values["hz"], heard.at_s)
 
     def _on_gap(self, at_s: float) -> Iterator[EventChange]:
-        """End everything but the status: one that is the same afterwards is one, as of a stop."""
+        """End everything but the status, which has lasted if it is the same after the gap."""
         lasting = {key: since_s for key, since_s in self._going_on.items() if _is_status(key)}
         ended = self.forget(at_s)
         yield from (each for each in ended if each.key not in lasting)
@@ -270,7 +270,7 @@ class EventObserver:
                 yield from self._follow(unusable, on=not plausible(limits.value))
 
     def _follow(self, change: EventChange, *, on: bool) -> Iterator[EventChange]:
-        """Yield the beginning or the end of what a change is about, if that is new."""
+        """Yield the beginning or the end of the event that a change is about, if that is new."""
         if on is (change.key in self._going_on):
             return
         if on:
@@ -283,7 +283,7 @@ class EventObserver:
         del self._going_on[key]
         yield EventChange(EventPhase.ENDED, key, at_s)
 
-    # Frames that come again and again ---------------------------------------------------------
+    # Series of frames -------------------------------------------------------------------------
 
     def _on_invalid(self, frames: InvalidFrames) -> Iterator[EventChange]:
         key = ("invalid", frames.sort)
@@ -320,7 +320,7 @@ class EventObserver:
                 yield from self._grow(begun, series.count, series.last_s)
 
     def _grow(self, begun: EventChange, count: int, last_s: float) -> Iterator[EventChange]:
-        """Tell frames that begin, and their count now and then."""
+        """Yield the beginning of a series, and its count when that has doubled or is due."""
         known = self._series.get(begun.key)
         if known is None:
             self._series[begun.key] = _Series(count, last_s, count, last_s, begun.at_s)

@@ -154,7 +154,7 @@ class StatusListener(Listener):
 
     @property
     def _understands(self) -> bool:
-        """True if bits that the generations use differently can be told."""
+        """True if the generation is known, so that bits which both use differently can be read."""
         codec = self._codec
         return codec is not None and codec.generation is self._generation
 

@@ -140,6 +140,7 @@ class GamepadPilot(QObject):
         self._driving = False
         self._reason: Refusal | None = None
         self._view = PilotView()
+        # The reader emits this signal in its own thread, which is no thread of Qt's.
         self._buttons.connect(self._on_buttons, Qt.ConnectionType.QueuedConnection)
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
@@ -170,7 +171,7 @@ class GamepadPilot(QObject):
         self._show()
 
     def _begin(self) -> None:
-        """Read, unless the last reader still lets its libraries go: each can be used once."""
+        """Start reading, unless the last reader still holds the libraries: one at a time may."""
         if self._leaving is not None and not self._leaving.running:
             self._leaving = None
         if self._reader is None and self._leaving is None:
@@ -210,7 +211,7 @@ class GamepadPilot(QObject):
             self._take_away(reason)
             self._show()
 
-    # Looking ----------------------------------------------------------------------------------
+    # Reading the devices ----------------------------------------------------------------------
 
     def tick(self) -> None:
         """Read the devices and act on them; the pilot's own timer calls it."""
@@ -252,7 +253,7 @@ class GamepadPilot(QObject):
             self._take_away(reason)
 
     def _on_pressed(self, key: str) -> None:
-        """Begin a hold as a dead-man button goes down; a second one takes both away."""
+        """Begin a hold as a dead-man button goes down; that of a second device ends every hold."""
         if self._holder is None:
             self._holder, self._reason = key, None
         elif self._holder != key:
@@ -273,12 +274,12 @@ class GamepadPilot(QObject):
             self._stop_ours()
             return
         frame: MotionFrame | None = _FRAMES.get(self._mode)
-        if self._mode is JogMode.USER:  # without one in force the jog is refused
+        if self._mode is JogMode.USER:  # ``None`` if no frame is in force: then the jog is refused
             frame = self._cartesian.frame or UserFrame("")
         jog = SteeredJog(hand.hold.rates, frame, self._infos[key].name)
         jogging = self._jogging
         if self._driving:
-            if not jogging.steer(jog):  # it has ended, and whoever ended it has said why
+            if not jogging.steer(jog):  # it has ended, with a reason given elsewhere
                 self._take_away(None)
         elif jogging.active:
             self._take_away(JOG_UNDER_WAY())
@@ -289,7 +290,7 @@ class GamepadPilot(QObject):
             else:
                 self._driving = True
 
-    # Ends -------------------------------------------------------------------------------------
+    # The end of a hold ------------------------------------------------------------------------
 
     def _lose_holder(self, code: Reason) -> None:
         if self._holder is None:
@@ -300,7 +301,7 @@ class GamepadPilot(QObject):
             self._take_away(Refusal(code, {"name": self._infos[self._holder].name}))
 
     def _take_away(self, reason: Refusal | None) -> None:
-        """Take every hold away, whatever fingers are still down."""
+        """End every hold, even while buttons are still down; a new press is needed afterwards."""
         for hand in self._hands.values():
             hand.spend()
         self._reason = reason
@@ -314,7 +315,7 @@ class GamepadPilot(QObject):
         self._stop_ours()
 
     def _stop_ours(self) -> None:
-        """End the jog that a device steers; what a button on the screen holds goes on."""
+        """End the jog that a device steers; a jog held by a button on the screen goes on."""
         driving, self._driving = self._driving, False
         if driving and self._jogging.steered is not None:
             self._jogging.stop()
@@ -322,7 +323,7 @@ class GamepadPilot(QObject):
     # Buttons ----------------------------------------------------------------------------------
 
     def _on_buttons(self, info: DeviceInfo, down: frozenset[str], up: frozenset[str]) -> None:
-        """Take in that buttons went down or came up: none is missed, however short."""
+        """Handle buttons that went down or came up; the reader reports even the shortest press."""
         if self._reader is None:
             return
         buttons = self.buttons_of(info)
@@ -348,7 +349,7 @@ class GamepadPilot(QObject):
             self._discard_episode()
         self._show()
 
-    # What is shown ----------------------------------------------------------------------------
+    # Display ----------------------------------------------------------------------------------
 
     def _show(self, snapshot: DeviceSnapshot | None = None) -> None:
         snapshot = snapshot or self.snapshot or DeviceSnapshot(0.0)

@@ -17,7 +17,7 @@ NO_NUMBER: Final = "?"
 def arm_key(
     device: Device | None, generation: Generation | None, identity: ArmIdentity | None
 ) -> str | None:
-    """Return what an arm is remembered by; ``None`` before it has named itself.
+    """Return the key under which an arm is remembered; ``None`` before it has named itself.
 
     Args:
         device: The open device, if any.

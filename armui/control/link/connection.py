@@ -82,7 +82,7 @@ class Connection(QObject):
     Args:
         opener: Opens a device.
         clock: Monotonic time in seconds.
-        parent: Qt's.
+        parent: The parent object.
         make_worker: Makes a worker in the place of the bus thread, as for a log.
 
     Attributes:
@@ -294,7 +294,7 @@ class Connection(QObject):
         return not self._ending
 
     def _on_ended(self) -> None:
-        """Let go of the threads that have ended; one that runs must not be destroyed."""
+        """Drop the threads that have ended; Qt aborts if a running one is destroyed."""
         for worker in [one for one in self._ending if one.isFinished()]:
             worker.wait()  # the signal comes a moment before the thread has ended
             self._ending.remove(worker)
@@ -302,7 +302,7 @@ class Connection(QObject):
 
     @property
     def newest(self) -> ArmState:
-        """The arm as heard up to this moment, for any thread; newer than at the last tick."""
+        """The arm's state up to this moment, newer than at the last tick; for any thread."""
         worker = self._worker
         return ArmState() if worker is None else self._understood(worker.state)
 
@@ -313,7 +313,7 @@ class Connection(QObject):
 
     @property
     def traffic(self) -> OtherTraffic:
-        """The same with the frames sent by hand from here, which count as another host's."""
+        """The frames of other hosts, with those sent by hand from here, which count as such."""
         return self.heard_traffic.joined(self._by_hand.traffic())
 
     def note_by_hand(self, frame: Frame) -> None:
@@ -387,7 +387,7 @@ class Connection(QObject):
             listener.know_generation(self.generation)
 
     def _understood(self, state: ArmState) -> ArmState:
-        """Return what can be told of the arm while its protocol is not known."""
+        """Return the state without what cannot be read before the arm's protocol is known."""
         return state if self.generation is not None else common_to_generations(state)
 
     def _another_answers(self, state: ArmState) -> bool:
@@ -417,7 +417,7 @@ class Connection(QObject):
 
     def _on_report(self, report: BusReport) -> None:
         if self._worker is None or report.worker != self._worker_number:
-            return  # a late report of a device that was left meanwhile
+            return  # a late report of a device that was closed meanwhile
         before, self._bus_state = self._bus_state, report.state
         if report.state is BusState.OPEN:
             self.problem = None

@@ -32,7 +32,7 @@ class DeviceSearch(QThread):
 
     def run(self) -> None:
         """Search in this thread, and emit `found` with the simulated devices first."""
-        # python-can and its back-ends are loaded here, where nobody waits for them
+        # python-can and its back-ends are loaded in this thread, so that the window need not wait.
         from armui.bus.adapters import find_devices  # noqa: PLC0415
 
         self.found.emit(self._simulated + (self._find or find_devices)())

@@ -17,7 +17,7 @@ from armui.protocol.generation import Generation
 _VERSION_WAIT_S: Final = 0.5
 """Answers are collected for this time; a second question within it would shift the text."""
 _VERSION_ROUNDS: Final = 2
-"""An arm that leaves so many questions unanswered is of generation 1."""
+"""An arm that leaves this number of questions unanswered is of generation 1."""
 _TORN_ROUNDS: Final = 4
 """The number of questions to an arm that answers: frames may be lost or mixed with others."""
 _LEADER_WAIT_S: Final = 2.0
@@ -136,7 +136,7 @@ class Handshake:
         elif self._leads(state, now_s):
             self._ask_version(now_s, _LEADER_WAIT_S)
         elif state.version_heard_s is not None or self._speaks_fast(state, now_s):
-            # it answered, and only generation 2 does, though no version can be read in the answer
+            # Only generation 2 answers at all, even if no version can be read in the answer.
             self._settle(Generation.TWO, now_s)
         else:
             self.codec = Codec(Generation.ONE, self.codec.addressing)
@@ -169,13 +169,13 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Return whether it is a teaching input that leads and tells no status."""
+        """Return whether it is a teaching input, which sends commands and may send no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:
         """Return whether an arm that must not be asked speaks as often as generation 2.
 
-        On a connection that only listens its silence says nothing.
+        On a listen-only connection no question is sent, so that silence is no evidence.
         """
         return not self._asked and state.frames / (now_s - self._began_s) > _FAST_PER_S
 

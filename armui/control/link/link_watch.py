@@ -46,8 +46,10 @@ OFFLINE_BUSY = Notice(
 )
 
 _EVERY_S: Final = 10.0
+"""Further losses and gaps are reported at most this often, so as not to fill the event log."""
 _STOOD_STILL_S: Final = 0.25
-"""A longer time between two looks at the arm, of 33 ms each, is told as the computer's own."""
+"""A gap is reported as the computer's own if the ticks, every 33 ms, paused for longer than
+this."""
 
 
 class LinkWatch:

@@ -1,7 +1,7 @@
 """Compares the chosen model with the arm's reports and warns; the operator decides.
 
-What is found out here, too, is where the arm counts joints 2 and 3 from: by its version, and by the
-pose it reports, which goes before the version.
+It also finds the zeros from which the arm counts joints 2 and 3: by its version, and by the pose it
+reports, which takes precedence.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ class ModelWatch(ControllerPart):
         self._pose_tells = self._before = None
 
     def _look_for_zeros(self) -> None:
-        """Find where the arm counts from; it stays as it was while nothing tells."""
+        """Find the zeros of joints 2 and 3; while nothing shows them, they stay as they were."""
         connection = self._context.connection
         device = connection.device
         firmware = _version(self._context.state(), device)
@@ -162,7 +162,7 @@ class ModelWatch(ControllerPart):
             self._zeros = device, model, model_data(model).older_zeros(firmware)
 
     def _take_zeros(self, found: frozenset[FittingArm]) -> None:
-        """Take the zeros that the pose tells, if it fits the chosen model with one of the two."""
+        """Take the zeros with which the reported pose fits the chosen model, if either does."""
         chosen = self._context.connection.model
         zeros = {arm.older_zeros for arm in found if arm.model is chosen}
         if len(zeros) == 1:
@@ -198,6 +198,6 @@ def _version(state: ArmState, device: Device | None) -> str | None:
 def _fresh_angles_and_pose(
     state: ArmState, now_s: float
 ) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
-    """Return angles and pose of late, each whole or ``None``."""
+    """Return the angles and the pose, each ``None`` unless all its values are fresh."""
     fresh = all(each is not None and each.fresh(now_s) for each in (*state.joints_deg, *state.pose))
     return (state.angles_deg(), state.end_pose()) if fresh else (None, None)

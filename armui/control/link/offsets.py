@@ -16,7 +16,7 @@ from armui.protocol.codes import ArmStatusCode, ControlMode
 _SILENT_S: Final = 0.5
 """Other feedback is taken for the same arm's after the known one was silent for this time."""
 _SETTLED_S: Final = 0.05
-"""A status this much later than the setting was reported after it."""
+"""A status received this long after the setting already reflects it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class OffsetFollower:
             self.requested = replace(self.requested, answered_s=now_s)
 
     def listen_anew(self, now_s: float) -> None:
-        """Give the known feedback time to be heard again, whatever was heard before."""
+        """Restart the time within which the known feedback must be heard again."""
         self._listening_since_s = now_s
 
     def follow_arm(self, state: ArmState, now_s: float, *, came: bool) -> bool:
@@ -102,7 +102,7 @@ class OffsetFollower:
         if requested is not None and self._taken_unseen(requested, state, came=came):
             return self._use(requested.addressing, now_s, known=True)
         if came and self.addressing.control_offset:
-            self.control_known = False  # nothing proves that it is the arm that was set
+            self.control_known = False  # it may be another arm than the one that was set
         own = OFFSETS.index(self.addressing.feedback_offset)
         since_s = self._listening_since_s
         if now_s - max(state.status_heard_s[own] or since_s, since_s) < _SILENT_S:
@@ -116,14 +116,14 @@ class OffsetFollower:
             return self._use(requested.addressing, now_s, known=True)
         if not heard:
             return False
-        # nothing tells the offset of the commands; 0x00 would be a guess
+        # The feedback does not show the offset of the commands: the one in use is kept, as unknown.
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:
-        """Return whether commands alone moved: an arm takes that in standby, or at its next start.
+        """Return whether only the commands' offset changed, in standby or at the arm's next start.
 
-        Nothing it sends shows that it has, so it must have said that it keeps it: a setting that
-        got lost would be taken for one in use, and every motion after it would vanish.
+        The feedback does not show it, so the arm must have answered that it keeps the setting: if a
+        lost frame counted as taken, every later command would go to an identifier nobody hears.
         """
         if requested.addressing.feedback_offset != self.addressing.feedback_offset:
             return False

@@ -28,15 +28,15 @@ RUN_STOPPED = Reason("run_stopped", "It was the emergency stop.")
 
 _LEFT_ALONE: Final = frozenset(
     {
-        # the stop has gone out, and says more
+        # the emergency stop is stronger, and was sent
         STOPPED,
         STOP_REQUESTED,
         RUN_STOPPED,
-        # nothing reaches the arm, or nobody knows which arm it would reach
+        # no frame reaches the arm, or it might reach another one
         NOT_CONNECTED,
         LINK_LOST,
         CONTROL_OFFSET_UNKNOWN,
-        # the arm serves another master: its motion is not this program's to end
+        # the motion is another host's, and not this program's to end
         OTHER_CONTROL,
         OTHER_HOST,
         LEADER_ARM,
@@ -47,9 +47,9 @@ _LEFT_ALONE: Final = frozenset(
 
 
 def ending_frames(connection: Connection) -> list[Frame]:
-    """Return what has the arm end its motion with power on: 0x150 byte 1 = 6.
+    """Return the frames that end the arm's motion with power on: 0x150 byte 1 = 6.
 
-    Where it may follow a recording of its own, that has an end of its own: byte 2 = 6.
+    A replay of the arm's own recording, which may be under way, is ended by byte 2 = 6.
     """
     codec, status = connection.codec, connection.newest.status
     frames = commands.trajectory_command(codec, TrajectoryCommand.ABORT)
@@ -59,9 +59,10 @@ def ending_frames(connection: Connection) -> list[Frame]:
 
 
 def clearing_frames(context: Context) -> list[Frame]:
-    """Return what drops a target whose mode word may be lost (0x150 byte 1 = 4), or nothing.
+    """Return the frames that drop a target whose mode word may be lost (0x150 byte 1 = 4), if any.
 
-    It is no motion yet that could be ended, and the next mode word would set it going (S10).
+    Such a target is no motion yet that byte 1 = 6 would end, and the next mode word would start it
+    (S10).
     """
     if not context.authority.mode_unproven:
         return []
@@ -69,14 +70,14 @@ def clearing_frames(context: Context) -> list[Frame]:
 
 
 def abort_motion(context: Context, end: End = End.CANCELLED) -> bool:
-    """Have the arm end its motion where it is, powered, and drop its target (0x150).
+    """End the arm's motion where it is, with power on, and drop its target (0x150).
 
     It goes ahead of everything that waits: half a target must not follow it. Return whether
     it is on the bus.
 
     Args:
         context: The context that the controller's parts share.
-        end: What ends our command by it.
+        end: The cause by which our command ends.
     """
     connection = context.connection
     if connection.device is None or connection.device.listen_only:

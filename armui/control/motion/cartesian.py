@@ -38,8 +38,8 @@ from armui.protocol.codes import MoveMode
 from armui.telemetry.events import EventKind, Level
 from armui.trajectory.points.program import Waypoint
 
-# The kinematics and what stands on it bring numpy and scipy along. They are loaded when the first
-# pose is asked for: the window starts without them.
+# The kinematics and the planning import numpy and scipy. They are loaded when the first pose is
+# asked for: the window starts without them.
 if TYPE_CHECKING:
     from armui.arm.models import ArmModel
     from armui.control.motion.joint_motion import Motion
@@ -94,10 +94,12 @@ _MODEL_DEG: Final = 2.0
 """The most by which the program's kinematics and the arm's own may differ."""
 _ARRIVED_MM: Final = 5.0
 _ARRIVED_DEG: Final = 0.5
+"""A resting tool this near to its target has arrived, but for sag: steps start from the target."""
 _AWAY_MM: Final = 1.0
 """A tool this near to its target has arrived: half a degree of a joint moves it so far."""
 _AT_START_MM: Final = 1.0
 _AT_START_DEG: Final = 1.0
+"""An arc is refused if the tool is farther than this from the arc's first pose."""
 
 
 class Cartesian(ControllerPart):
@@ -124,7 +126,7 @@ class Cartesian(ControllerPart):
     def tool(self) -> tuple[float, ...]:
         """The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
 
-        The arm knows nothing of it: its commands and feedback refer to the flange.
+        The arm has no tool setting: its commands and feedback refer to the flange.
         """
         return self._tool
 
@@ -133,7 +135,7 @@ class Cartesian(ControllerPart):
         self._tool = tool
         self._context.connection.telemetry.set_tool(tool)
 
-    # What is known --------------------------------------------------------------------------
+    # State ----------------------------------------------------------------------------------
 
     def prepare(self) -> None:
         """Load the modules for poses before an arm is connected, so that it need not wait."""
@@ -185,7 +187,7 @@ class Cartesian(ControllerPart):
         return self._other_model(state) or MODEL_DIFFERS()
 
     def _other_model(self, state: ArmState) -> Refusal | None:
-        """Return as a reason that another model fits; ``None``: none does."""
+        """Return that another model fits, as a reason; ``None`` if no other one does."""
         joints_deg, pose = state.angles_deg(), state.end_pose()
         if joints_deg is None or pose is None:
             return None
@@ -203,7 +205,7 @@ class Cartesian(ControllerPart):
     # Motions --------------------------------------------------------------------------------
 
     def _plan(self, target: Sequence[float], move_mode: MoveMode) -> Plan:
-        """Return what plans the way to a pose: by the nearest angles, or on a straight line."""
+        """Return the function that plans the way to a pose: by the nearest angles, or on a line."""
 
         def plan(start_deg: Sequence[float]) -> Way | Refusal:
             unknown = self.why_unknown()
@@ -310,7 +312,7 @@ class Cartesian(ControllerPart):
         return context.gate().send(request)
 
     def _plan_arc(self, points: Sequence[Sequence[float]]) -> Plan:
-        """Return what plans the way along an arc, which begins at the first of three poses."""
+        """Return the function that plans an arc, which begins at the first of three poses."""
 
         def plan(start_deg: Sequence[float]) -> Way | Refusal:
             unknown = self.why_unknown()
@@ -354,7 +356,7 @@ class Cartesian(ControllerPart):
     def _request(
         self, started: Started, move_mode: MoveMode, target: Sequence[float], plan: Plan
     ) -> MotionRequest:
-        """Return what every motion of the tool asks of the gate; its frames are added."""
+        """Return the gate request that all tool motions share; the caller adds the frames."""
         return MotionRequest(
             started=started,
             kind=CommandKind.POSE,
@@ -379,7 +381,7 @@ class Cartesian(ControllerPart):
         return off_mm > _AWAY_MM or off_deg > _ARRIVED_DEG
 
     def _base(self, measured: Matrix) -> Matrix:
-        """Return where a step of the tool starts from."""
+        """Return the pose from which a step of the tool starts."""
         authority = self._context.authority
         asked = authority.tool_base()
         if asked is None or authority.under_way:

@@ -62,7 +62,7 @@ def pace(
 
     Args:
         percent: 0–100, of the highest jog speed.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
         accelerations_deg_s2: Highest acceleration of the six joints; see :func:`accelerations`.
     """
     share = percent / 100.0
@@ -92,7 +92,7 @@ def accelerations(
     sooner.
 
     Args:
-        heard: Of the six joints, °/s².
+        heard: The accelerations read from the arm, of the six joints, in °/s².
         factory: Those of the arm's model.
     """
     return tuple(

@@ -84,7 +84,7 @@ class JointJogPath:
     Args:
         rates: Six, −1 to 1, not all 0.
         base_deg: Six angles to begin with.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
     """
 
     def __init__(
@@ -130,10 +130,10 @@ class HeldToolPath:
     """The common base of the tool's paths, which lead as far as the arm reaches.
 
     Args:
-        kinematics: Of the arm.
+        kinematics: The arm's kinematics.
         base_deg: Six angles to begin with.
         tool: The tool centre point in the flange: X, Y, Z in mm, RX, RY, RZ in degrees.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
     """
 
     def __init__(
@@ -171,7 +171,7 @@ class ToolJogPath(HeldToolPath):
     """The path of the tool centre point straight along an axis, or turning about one.
 
     Args:
-        jog: Which axis, and where to; for the others see :class:`HeldToolPath`.
+        jog: The axis and its direction; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(

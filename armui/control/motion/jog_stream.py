@@ -25,7 +25,7 @@ JOG_SINGULAR = Reason(
 
 
 _TRIES: Final = 3
-"""So often a step is shortened until it keeps the speed and the lead over the arm."""
+"""The most times that a step is shortened until it keeps the limits of speed and lead."""
 _LEAST_SHARE: Final = 0.05
 """The pose is singular if a joint would have to turn over twenty times its jog speed."""
 _STRETCHES: Final = (2, 3)
@@ -77,7 +77,7 @@ class JogStream:
 
         Args:
             measured_deg: The measured angles of the joints.
-            dt_s: Since the last call.
+            dt_s: The time since the last call.
             pace: The present limits.
 
         Returns:
@@ -147,7 +147,7 @@ class JogStream:
 
 
 def _why_too_fast(joint: int) -> Refusal:
-    """Return what a pose in which a joint would have to turn without end means to the operator."""
+    """Return the reason for the operator where a joint would have to turn too fast to follow."""
     if joint in _STRETCHES:
         return JOG_OUT_OF_REACH()
     return JOG_SINGULAR(joint=joint)

@@ -112,7 +112,7 @@ if TYPE_CHECKING:
     from armui.control.motion.joint_motion import Motion
 
 _TICK_MS: Final = 10
-"""A jog looks at the arm, and sends what is due, a hundred times a second."""
+"""The period at which a jog reads the feedback and sends the setpoint that is due."""
 _SHORTEST_S: Final = 0.004
 """The least time between two setpoints: two timers drive the stream, and one is enough."""
 _HELD_UP_S: Final = 0.08
@@ -134,8 +134,8 @@ class _Hold:
     Attributes:
         stream: Its setpoints, once the arm has been seen at rest.
         before: Our command that was under way or had arrived when it began.
-        command: What the arm was told, once the first setpoint is sent.
-        steered_s: When whoever steers was last heard of.
+        command: The motion command, once the first setpoint is sent.
+        steered_s: When :meth:`Jogging.steer` was last called.
         started: The operation.
     """
 
@@ -164,6 +164,8 @@ class Jogging(ControllerPart):
         self._cartesian = cartesian
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._hold: _Hold | None = None
+        # Qt's default timer may be off by 5 %, and is fired together with others: too uneven for
+        # setpoints.
         self._timer = QTimer(interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self.tick)
 
@@ -191,7 +193,7 @@ class Jogging(ControllerPart):
         return None if stream is None else stream.setpoint_deg
 
     def _end_last(self) -> None:
-        """End the jog under way, and drop what waits: a press means something else."""
+        """End the jog under way, and drop a motion that waits: the press replaces both."""
         self.stop()
         drop_waiting(self)
 
@@ -267,10 +269,10 @@ class Jogging(ControllerPart):
         if hold is None:
             return
         if hold.command is None:
-            # what was sent is followed until the arm has come to rest
+            # No setpoint was sent; otherwise the record ends when the arm has come to rest.
             hold.started.close(Ending.CUT_OFF)
         elif not self._is_replaced(hold) and self._is_led_back(hold):
-            abort_motion(self._context)  # of another command nothing is ended
+            abort_motion(self._context)  # not if another command has replaced it
 
     def _is_led_back(self, hold: _Hold) -> bool:
         """Return whether the arm is far behind: it is led to its limits from outside."""
@@ -364,8 +366,8 @@ class Jogging(ControllerPart):
     ) -> tuple[float, ...]:
         """Return the angles at which a jog begins.
 
-        That is our own target only where the arm stands at it, but for its sag: one that has been
-        sent off and has not begun to move stands elsewhere.
+        That is our own target only if the arm is at it, but for sag, and not if it has been sent
+        there and has not begun to move.
 
         A joint that stands outside its limits alone, and is jogged back, begins at the limit: the
         arm takes no target outside.
@@ -422,7 +424,7 @@ class Jogging(ControllerPart):
         reason = stream.advance_setpoint(measured_deg, dt_s, present)
         if reason is not None and reason.reason == JOG_NOT_FOLLOWING:
             if not context.connection.newest.in_time(context.clock()):
-                return  # the arm may have followed: its angles arrive late
+                return  # late angles would look as if the arm lagged
             # an arm beyond its limits follows no target before the first within them
             reason = check_joints(stream.setpoint_deg, operating_state.limits) or reason
         target_deg = tuple(round(angle, 3) for angle in stream.setpoint_deg)
@@ -433,7 +435,7 @@ class Jogging(ControllerPart):
             self._end(refusal or reason)
 
     def _send(self, hold: _Hold, target_deg: Sequence[float], percent: int) -> Refusal | None:
-        """Send the next setpoint: the first with the mode word, the others alone."""
+        """Send the next setpoint; the first one carries the mode word, the others do not."""
         context = self._context
         codec, command = context.connection.codec, hold.command
         passed = context.gate().ask_no_way()  # the stream has asked for each setpoint

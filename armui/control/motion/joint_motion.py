@@ -70,7 +70,7 @@ COME_INSIDE_PERCENT: Final = 10
 _FIRST_SPEED_PERCENT: Final = 30
 """The speed at the start of the program, until the operator sets another one."""
 _LAG_STEPS: Final = 2
-"""A held button steps on only while its joint lags behind by at most so many steps."""
+"""A held button continues to step only while its joint lags by at most this number of steps."""
 _SETTLE_S: Final = 0.3
 """The operator's speed is not restored until this long after a command of ours."""
 
@@ -90,7 +90,7 @@ def _why_no_step(
 ) -> Refusal | None:
     """Return why a joint can't go a step further: it is at its limit, or the step is too long.
 
-    One that stands outside may come back.
+    A joint outside its limits may come back.
     """
     bound_deg = limits.max_deg if delta_deg > 0 else limits.min_deg
     inwards = (bound_deg - base_deg) * delta_deg >= 0.0
@@ -236,7 +236,7 @@ class Motion(ControllerPart):
         return self._move(started, _HOME_DEG, WENT_HOME, agreed_mm)
 
     def _drop_inside(self) -> None:
-        """Drop what waits, and the second part of the way back: it is looked for anew."""
+        """Drop the motion that waits, and the second part of the way back, which is found anew."""
         drop_waiting(self)
         self._next_deg = ()
 
@@ -276,7 +276,7 @@ class Motion(ControllerPart):
         return self._context.gate().send(replace(request, sent=on_sent))
 
     def _go_on_inside(self) -> None:
-        """Take the second part of the way back once the first one has been gone."""
+        """Start the second part of the way back inside once the first one is completed."""
         authority = self._context.authority
         command = authority.command
         if not self._next_deg:
@@ -301,7 +301,7 @@ class Motion(ControllerPart):
         agreed_mm: float | None,
         **figures: object,
     ) -> Refusal | None:
-        """Send six angles if that may be, and tell so with a notice."""
+        """Send six angles if the gate lets them pass, and report it with a notice."""
         context = self._context
         request = joint_request(
             context,

@@ -111,7 +111,7 @@ class MotionCommand:
         tool: The target of the tool centre point, where the command names it.
         leads_away: True if that is measurably elsewhere than the tool was at sending; for angles
             this is evident.
-        pace: Of a line or an arc: how fast the tool goes at 100 %.
+        pace: The tool's speed at 100 % along a line or an arc.
         started: The operation that it carries out.
         way: The way that the gate has passed; ``None`` of a stream.
         most_percent: The highest speed that it may be given on its way.

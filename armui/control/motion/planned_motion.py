@@ -67,7 +67,7 @@ def why_not_plan(now: OperatingState, command: TrajectoryCommand) -> Refusal | N
 
 
 class PauseCommand:
-    """Has the arm hold a planned motion back where it is (0x150 byte 1 = 1).
+    """Pauses a planned motion where the arm is (0x150 byte 1 = 1).
 
     It is sent twice: a frame may be lost, and too slow a motion is not seen to go on.
 
@@ -137,7 +137,7 @@ class PlannedMotion(ControllerPart):
         """
         context = self._context
         if command is TrajectoryCommand.PAUSE and context.authority.is_braking:
-            # nothing is left that could be held back: the arm is told once more to end
+            # no motion is left to pause: repeat the end
             command = TrajectoryCommand.ABORT
         frames = commands.trajectory_command(context.connection.codec, command)
         if command in _ENDS:

@@ -96,7 +96,7 @@ def point_way(point: Waypoint, arm: ArmModel, begin_deg: Sequence[float]) -> Way
     joints_deg = led_joints(arm.kinematics, path, begin_deg)
     if not isinstance(joints_deg, Refusal):
         return Way(joints_deg)
-    # what is out of reach anyway is told as that, and not as what comes up on the way to it
+    # A target out of reach is reported as such, and not as a problem on the way to it.
     end_deg = check_pose(arm.kinematics, Pose(*point.target), begin_deg, arm.limits)
     return end_deg if isinstance(end_deg, Refusal) else joints_deg
 

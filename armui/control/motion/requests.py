@@ -38,8 +38,8 @@ def joint_request(
         target_deg: The six angles.
         speed_percent: Returns the speed in the mode word.
         most_percent: The highest one that it may be given.
-        why_not: Returns what speaks against it beside its way.
-        told: The notice, with its figures, that it is sent.
+        why_not: Returns a reason against it other than its way, or ``None``.
+        told: The notice, with its figures, that reports the sending.
         kind: The kind of the command.
     """
 

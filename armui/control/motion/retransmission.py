@@ -1,4 +1,4 @@
-"""A lower speed or a pause is sent twice, since a frame may be lost: when the second is due."""
+"""Decides when a lower speed or a pause is sent a second time, as a frame may be lost."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _AFTER_S: Final = 0.1
 
 
 class Retransmission:
-    """Tells when a frame that was just sent is due once more: after 0.1 s, and once.
+    """Decides when a frame is due a second time: 0.1 s after the first, and only once.
 
     A part that uses one drops it in `halt` and `forget_arm`. While a stop or a switching of the
     motors is under way it is never due, even if nobody has dropped it.

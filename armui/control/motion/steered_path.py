@@ -39,7 +39,7 @@ class SteeredToolPath(HeldToolPath):
 
     Args:
         rates: Six, −1 to 1, not all 0. The point is never faster than along one axis alone.
-        frame: Whose axes; for the others see :class:`HeldToolPath`.
+        frame: The frame of the axes; for the others see :class:`HeldToolPath`.
     """
 
     def __init__(

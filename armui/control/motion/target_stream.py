@@ -1,4 +1,4 @@
-"""The setpoints of a stream of targets: the path between the targets of a client is ours.
+"""The setpoints of a stream of targets: this program plans the path between a client's targets.
 
 A client's targets come at 10 to 100 Hz, and the newest counts. The setpoint follows it as a
 critically damped spring would, with the time constant :data:`SETTLING_S`, within the speed and the
@@ -87,10 +87,10 @@ def angles_of_pose(
     """Return the angles of a target that is a pose, or why it cannot be followed.
 
     Args:
-        kinematics: Of the arm.
+        kinematics: The arm's kinematics.
         flange_pose_mm_deg: The pose of the flange in the base.
         near_deg: The newest setpoint.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
     """
     from armui.arm.reach import check_pose  # noqa: PLC0415 - numpy
     from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
@@ -113,7 +113,7 @@ def stream_pace(
 
     Args:
         percent: 0–100.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
         accelerations_deg_s2: The highest acceleration of each; see
             :func:`armui.control.motion.jog_pace.accelerations`.
     """
@@ -142,7 +142,7 @@ class TargetStream:
         base_deg: The six angles at which the stream begins.
         measured_deg: Where the joints are then; the difference is their sag, and no lead.
         accelerations_deg_s2: The highest acceleration of each joint.
-        limits: Of the six joints.
+        limits: The limits of the six joints.
         why_barred: Checks each setpoint.
 
     Attributes:
@@ -175,7 +175,7 @@ class TargetStream:
 
         Args:
             measured_deg: The measured angles of the joints.
-            dt_s: Since the last call.
+            dt_s: The time since the last call.
             pace: The present limits; see :func:`stream_pace`.
 
         Returns:
@@ -189,7 +189,7 @@ class TargetStream:
         goal_deg = self.setpoint_deg if rests else jog.target_deg
         ahead_deg, speeds_deg_s = self._step(goal_deg, dt_s, pace, rests=rests)
         if ahead_deg == self.setpoint_deg:
-            return None  # it rests
+            return None  # The setpoint is at its target.
         lag_deg = [
             ahead - sag - measured
             for ahead, sag, measured in zip(ahead_deg, self._sag_deg, measured_deg, strict=True)
@@ -202,7 +202,7 @@ class TargetStream:
         )
         barred = self._why_barred(ahead_deg, self.setpoint_deg, lag_deg)
         if led_too_far or barred is not None:
-            # the arm comes nearer, and needs less room then
+            # the setpoint waits until the arm has come nearer
             self._speeds_deg_s = (0.0,) * len(ahead_deg)
             self._stalled_s += dt_s
             if barred is not None and max(map(abs, lag_deg)) < _near(pace):
@@ -216,7 +216,7 @@ class TargetStream:
     def _step(
         self, goal_deg: Sequence[float], dt_s: float, pace: Pace, *, rests: bool
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Return the next setpoint and its speeds; one that rests brakes as fast as it may."""
+        """Return the next setpoint and its speeds; with `rests` it brakes as hard as it may."""
         places, speeds = [], []
         for now, goal, speed, top, most in zip(
             self.setpoint_deg,
@@ -240,5 +240,5 @@ class TargetStream:
 
 
 def _near(pace: Pace) -> float:
-    """Return a lag that is hardly any: what bars the setpoint then is its way, and not its lag."""
+    """Return a lag near zero, with which only the setpoint's own way can bar it."""
     return max(_NEAR_DEG, _LEAST_SHARE * max(pace.leads_deg))

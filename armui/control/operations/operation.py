@@ -132,8 +132,8 @@ def operation(
             refusal = why_not_now(context.refresh()) or check_arguments(method, given.arguments)
             if refusal is None:
                 before = context.authority.revision
-                context.begun(name)  # before it sends: what ends by it drops nothing of it
-                if context.authority.revision != before:  # what it was about may have ended by it
+                context.begun(name)  # before it sends: what this ends must not drop its frames
+                if context.authority.revision != before:  # the motion it acts on may have ended
                     refusal = why_not_now(context.refresh())
             if refusal is None:
                 refusal = method(part, started, *args, **kwargs)

@@ -1,4 +1,4 @@
-"""The end of a command: noted in its record and told the operator, in one step."""
+"""Notes results of a command in its record and reports them to the operator, in one step."""
 
 from __future__ import annotations
 

@@ -241,7 +241,7 @@ class ArmSettings(QObject, ControllerPart):
                 )
         self.changed.emit()
 
-    # How it is carried out --------------------------------------------------------------------
+    # Carrying out -----------------------------------------------------------------------------
 
     def _read(self, batch: Batch) -> None:
         self._mark(batch.parameters(), SettingCellState(CellState.READING))
@@ -309,7 +309,7 @@ class ArmSettings(QObject, ControllerPart):
         self._open += len(transactions)
         self._transactions.submit(*transactions)
 
-    # How it ends ------------------------------------------------------------------------------
+    # The end of a reading or saving -----------------------------------------------------------
 
     def _after_reading(self, batch: Batch, refusal: Refusal | None) -> None:
         state = CellState.READ if refusal is None else CellState.REFUSED

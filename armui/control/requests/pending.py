@@ -1,4 +1,4 @@
-"""The one command of a part that is under way, from its press to what became of it.
+"""Follows the one command of a part that is under way, from the press to its outcome.
 
 A part says which frames are sent, what shows that they were obeyed, and what the operator is told.
 That the command is under way, its record, and its end are kept here: once for commands that the
@@ -32,10 +32,10 @@ class EndNotices:
     """The notices of a command's end, by how it ends.
 
     Attributes:
-        done: Told when the arm has done it.
+        done: The notice when the arm has done it.
         failed: Returns what is told when it has not, by the reason; the reason is ``None`` if the
             feedback did not show it in time. ``None`` tells nothing.
-        ending: How it ends when it is done.
+        ending: The way it ends when it is done.
         is_end: Asked when it is done: false if that is an interim result, and it goes on.
     """
 
@@ -84,11 +84,11 @@ class PendingRequest(Generic[Kind]):
         """Send a request; the one before it is dropped.
 
         Args:
-            kind: What it does, for :attr:`kind`.
+            kind: Its kind, shown by :attr:`kind`.
             started: The record of the command.
             request: The frames, and what shows that the arm has done it.
-            notices: What is told at its end; ``None`` if whoever follows it closes its record.
-            sent: What is told before its first frame, unless the part has told it itself.
+            notices: The notices at its end; ``None`` if the caller closes its record.
+            sent: The notice given before its first frame, unless the part has given it itself.
             answer: The setting that an answer to it names: the answer is noted in the record.
         """
         self.drop()
@@ -97,7 +97,7 @@ class PendingRequest(Generic[Kind]):
         if sent is not None:
             notice, figures = sent
             self._context.tell(notice, started, **figures)
-        # telling calls others: if one fails, this request may have been ended
+        # A receiver of the notice may have failed, which ends this request.
         if self._request is request:
             request.advance()
 
@@ -123,13 +123,13 @@ class PendingRequest(Generic[Kind]):
             self._started.close(Ending.CUT_OFF)
 
     def release(self) -> Started | None:
-        """Return the record of the request, which whoever asks will close; see :meth:`drop`."""
+        """Return the record of the request, which the caller then closes; see :meth:`drop`."""
         started, self._started = self._started, None
         self.drop()
         return started
 
     def _on_answer(self, answer: Message) -> None:
-        """Note that the arm has heard; the answer says no more."""
+        """Note that the arm has answered; the answer does not show the effect."""
         index, started = self._answer, self._started
         if index is None or answer.name != "SettingResponse" or answer.signals["Index"] != index:
             return
@@ -197,8 +197,8 @@ class PendingTransaction:
         Args:
             started: Its record, which gets the arm's answer.
             transaction: The command, with neither a record nor what is called at its end.
-            sent: What is told before its first frame.
-            notices: What is told at its end.
+            sent: The notice given before its first frame.
+            notices: The notices at its end.
         """
         self.busy = True
         self.cut_off()
@@ -228,7 +228,7 @@ class PendingTransaction:
 
 
 def _end(context: Context, started: Started | None, ending: Ending, told: Report | None) -> None:
-    """Close a record, and tell the operator, unless nothing is to be told."""
+    """Close a record, and report its end to the operator if there is a notice for it."""
     if told is not None:
         notice, figures = told
         context.close(started, ending, notice, **figures)

@@ -74,8 +74,7 @@ class Request:
             return RequestOutcome.WAITING
         gap = state.gap
         if self._sent and gap is not None and gap.at_s > self._sent_s:
-            # The gap may have held up the feedback that shows the effect: it gets its time once
-            # more.
+            # A gap may have delayed the feedback that shows the effect: wait for it once more.
             self._sent_s, self._next_s = math.inf, now_s + self.repeat_s
             return RequestOutcome.WAITING
         if self._sent == self.attempts:

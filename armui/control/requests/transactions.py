@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from armui.protocol.codec import Message
 
 _WAIT_S: Final = 0.5
+"""An answer or a value read back is awaited this long before the frames are sent again."""
 _ATTEMPTS: Final = 2
 """The most times to send: a frame can be lost, and most of these may be repeated."""
 _WITHIN_S: Final = 1.0
@@ -216,7 +217,7 @@ class TransactionQueue(ControllerPart):
             task.transaction.finished(reason)
 
     def _set_reading_aside(self) -> None:
-        """Let a new action pass what is only being read; it is asked for again afterwards."""
+        """Interrupt a reading for a new action; the question is asked again afterwards."""
         task = self._task
         new = any(waiting.begin_by_s is not None for waiting in self._commands)
         if new and task is not None and task.phase is _Phase.READING:
@@ -272,7 +273,7 @@ class TransactionQueue(ControllerPart):
             self._after_answer(task)
 
     def _why_another_arm(self, task: _Task) -> Refusal | None:
-        """Return why the arm it was meant for is not the one to be spoken to now, or ``None``."""
+        """Return why the connected arm is not the one the command was meant for, or ``None``."""
         connection = self._context.connection
         if task.arm is None or task.arm == connection.arm:
             return None

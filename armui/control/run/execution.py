@@ -44,7 +44,7 @@ PAUSE_HOLDS = Notice(
 RUN_DONE = Notice("run_done", "“{name}” has finished.", Level.DONE, EventKind.RESULT, Asker.RUN)
 
 UNKNOWN_FOR_S: Final = 1.0
-"""What a run must know of the arm may be missing for so long."""
+"""Feedback that a run needs may be missing for this time."""
 
 
 class Execution(QObject, ControllerPart):
@@ -77,7 +77,7 @@ class Execution(QObject, ControllerPart):
         self.speed_percent = 100
         self._known_s, self._known = 0.0, True
         self._untold = False
-        """The speed of now could not be told the arm yet."""
+        """True while the present speed could not be sent to the arm yet."""
         self._hold = PauseCommand(context)
         self._hold_untold = False
 
@@ -123,7 +123,7 @@ class Execution(QObject, ControllerPart):
         """End the run: the arm is lost."""
         self.end_run(LINK_LOST())
 
-    # What each of the two does its own way ----------------------------------------------------
+    # What runs and replays do differently -----------------------------------------------------
 
     def why_not_at(self, percent: int) -> Refusal | None:
         """Return why the run under way may not go at a speed, or ``None``."""
@@ -144,7 +144,7 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
-        """Return how far it has come by now.
+        """Return the present progress.
 
         Args:
             reason: Why it failed, if it has.
@@ -152,17 +152,17 @@ class Execution(QObject, ControllerPart):
         raise NotImplementedError
 
     def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
-        """Tell the operator why it has ended early."""
+        """Report to the operator why it has ended early."""
         raise NotImplementedError
 
     def _end(self, phase: RunPhase) -> None:
-        """Send nothing more."""
+        """End the run or replay; no target is sent any more."""
         self._phase = phase
 
-    # What both do the same way ----------------------------------------------------------------
+    # What runs and replays have in common -----------------------------------------------------
 
     def _reason(self) -> Refusal | None:
-        """Return why the run cannot go on; what is not known for a moment is waited for."""
+        """Return why the run cannot go on, or ``None``; briefly missing feedback is waited for."""
         reason = self._context.operating_state().cannot_run
         now_s = self._context.clock()
         self._known = reason is None or reason.reason not in PASSING
@@ -174,7 +174,7 @@ class Execution(QObject, ControllerPart):
     def _fail(self, reason: Refusal, ending: Ending = Ending.FAILED) -> None:
         gap, now_s = self._context.state().gap, self._context.clock()
         late = gap is not None and gap.value > PAUSE_S and gap.fresh(now_s)
-        if gap is not None and late and reason.reason in PASSING:  # not the arm's doing (S37)
+        if gap is not None and late and reason.reason in PASSING:  # a gap, not the arm (S37)
             reason = RUN_GAP(seconds=round(gap.value, 1))
         self._hold.drop()
         abort_motion_for(self._context, reason)
@@ -184,7 +184,7 @@ class Execution(QObject, ControllerPart):
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:
-        """Have the arm end its motion and stay powered; wait until it rests."""
+        """End the arm's motion with power on, and wait until it rests."""
         self._hold.drop()
         abort_motion(self._context)
         self.aborted.emit()
@@ -196,19 +196,19 @@ class Execution(QObject, ControllerPart):
         self._phase = RunPhase.STOPPING
 
     def _hold_back(self, *, sent: bool) -> None:
-        """Have the arm hold back what was sent; what the gate still checks is not sent any more."""
+        """Pause a motion that was sent; one that the gate still checks is dropped."""
         if sent:
             self._hold.send()
         else:
             self._context.gate().halt()
 
     def _await_hold(self) -> None:
-        """Begin to measure: an arm that is told to pause still moves."""
+        """Begin to watch for rest after a pause was sent, as the arm still moves at first."""
         self._rest = RestWatch()
         self._hold_untold = True
 
     def _tell_hold(self) -> None:
-        """Tell once that the arm holds, as soon as it is measured at rest since the pause."""
+        """Report once that the arm holds, as soon as it is measured at rest after the pause."""
         if self._hold_untold and self._rests():
             self._hold_untold = False
             self._context.tell(PAUSE_HOLDS)
@@ -227,10 +227,10 @@ class Execution(QObject, ControllerPart):
         return self.speed_percent / 100.0
 
     def _let_go_on(self, percent: int) -> Refusal | None:
-        """Have the arm go on with what it holds back (0x150 byte 1 = 2), no faster than shown.
+        """Continue the motion held back in the arm (0x150 byte 1 = 2), no faster than shown.
 
         Args:
-            percent: Told before, where the arm was told another one last.
+            percent: The speed, sent first if the arm has another one.
 
         Returns:
             ``None`` if it is on the bus, or why the motion stays held back.

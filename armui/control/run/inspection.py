@@ -81,10 +81,10 @@ class SwingPlan:
     """How far each joint may swing where the arm stands.
 
     Attributes:
-        begin_deg: Where it stands.
-        amplitude_deg: How far each was to swing to either side.
-        rules: What was asked; with other rules it counts no more.
-        swings: Of the six joints.
+        begin_deg: The six angles at which the arm stands.
+        amplitude_deg: The wanted swing of each joint to either side.
+        rules: The gate's rules then; with other rules the plan is void.
+        swings: The possible swings of the six joints.
     """
 
     begin_deg: tuple[float, ...]
@@ -99,10 +99,10 @@ class InspectionReport:
 
     Attributes:
         entry: The figures, as they are kept.
-        plan: What was to be done.
-        findings: What stands out.
+        plan: The swings that were planned.
+        findings: The notable deviations.
         unmeasured: The joints (1–6) that were not measured, each with why.
-        curves: Of the joints that swung, what was commanded and heard.
+        curves: The commanded and measured curves of the joints that swung.
         earlier: The inspections of this arm that it was compared with.
         ended: Why it ended early; ``None`` if it did not.
     """
@@ -123,7 +123,7 @@ class _Going:
     Attributes:
         times: When each joint swings, in the recorded time; those to come.
         lasts_s: The recorded time in all.
-        begun_s: When the first of them began; ``None``: not yet.
+        begun_s: The time at which the first of them began; ``None`` before.
     """
 
     plan: SwingPlan
@@ -145,9 +145,9 @@ class Inspection(ControllerPart):
         wall: Returns the local time now.
 
     Attributes:
-        name: What the run is called, in the operator's language.
+        name: The name of the run, in the operator's language.
         plan: The room for the swings; ``None`` while it is not known.
-        report: What the last inspection of this arm has found; ``None`` before.
+        report: The result of the last inspection of this arm; ``None`` before.
     """
 
     def __init__(
@@ -231,17 +231,17 @@ class Inspection(ControllerPart):
             self._going = _Going(plan, speed_deg_s, list(times), recording.duration_s)
         return refusal
 
-    # What the arm shows -----------------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Measure the swings that are over, or go on looking for room."""
+        """Measure the swings that are over, or continue the search for room."""
         if self._going is not None:
             self._follow(self._going)
         elif self._wished_deg is not None:
             self._look_for_room(self._wished_deg)
 
     def forget_arm(self) -> None:
-        """End what is under way, and forget what was found: another arm may come."""
+        """End the inspection and forget its results: another arm may come."""
         if self._going is not None:
             self._finish(self._going)
         self.plan = self._job = self._asked = None
@@ -291,7 +291,7 @@ class Inspection(ControllerPart):
         going.figures[joint] = figures_of(curves, going.speed_deg_s, signed=signed)
 
     def _finish(self, going: _Going) -> None:
-        """Judge what was measured, keep it, and tell it; what was not measured is named."""
+        """Evaluate the measurements, keep them, and report them; unmeasured joints are named."""
         self._going = None
         ended = None
         if going.times:

@@ -83,7 +83,7 @@ RUN_FAILED = Notice(
 
 
 _INSIDE_WITHIN_S: Final = 60.0
-"""The slow way of an arm outside its limits back inside may take so long."""
+"""The longest time for the slow way of an arm outside its limits back inside."""
 _REST_WITHIN_S: Final = 2.0
 """An arm told to end its motion stands within this time, or the operator is warned."""
 
@@ -194,7 +194,7 @@ class Player(Execution):
         if refusal is not None and not (waits and refusal.reason != RUN_SPEED_ZERO):
             return self._context.refuse(refusal)
         self._context.begun("run.go_on")
-        if self._phase is not phase:  # a client's run ends with its lease
+        if self._phase is not phase:  # `begun` may have ended a client's run
             return self._context.refuse(NOT_PAUSED())
         if waits:
             self._next_point()
@@ -246,7 +246,7 @@ class Player(Execution):
         return sent_percent(self._point(run).speed_percent, self.speed_percent)
 
     def _point(self, run: Run) -> Waypoint:
-        """Return where the arm is sent now: first the way inside, if it lay outside its limits."""
+        """Return the present target: first the way inside, if the arm lay outside its limits."""
         return self._way_in[0] if self._way_in else run.points[self._index]
 
     def stop(self) -> None:
@@ -263,7 +263,7 @@ class Player(Execution):
             self._phase = RunPhase.IDLE
             self._publish()
 
-    # What time and the arm bring --------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
         """Advance the run; the controller's tick calls it."""
@@ -312,7 +312,7 @@ class Player(Execution):
         return _INSIDE_WITHIN_S if self._way_in else schedule.time_limit_s(self._index)
 
     def _keep_time(self) -> None:
-        """Count the time that a motion is expected to take as slowly as the arm goes."""
+        """Advance the planned time of the motion at the pace of the present speed."""
         now_s = self._context.clock()
         if self._phase is RunPhase.MOVING:
             pace = self._schedule.pace(self._index, self._share) if self._schedule else 1.0
@@ -392,7 +392,7 @@ class Player(Execution):
     def _refused(self, refusal: Refusal) -> None:
         """End the run; where angles only come late, the point is sent once they are fresh."""
         if self._phase is not RunPhase.MOVING:
-            return  # it has been ended already
+            return  # the run was ended meanwhile
         self._owed = refusal.reason == FEEDBACK_SILENT
         if not self._owed or self._context.clock() - self._due_s > UNKNOWN_FOR_S:
             self._fail(refusal)
@@ -424,7 +424,7 @@ class Player(Execution):
         row = self._index + 1
         self._context.close(self._started, ending, RUN_FAILED, row=row, reason=reason)
 
-    # How far it has come ----------------------------------------------------------------------
+    # Progress ---------------------------------------------------------------------------------
 
     def _snapshot(self, reason: Refusal | None) -> Progress:
         run, schedule = self._run, self._schedule

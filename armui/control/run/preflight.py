@@ -1,4 +1,4 @@
-"""The check before a run: what is checked, under which conditions, and what came out."""
+"""The check before a run: its input, its conditions, and its result."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ class Preflight:
 
 
 def carried_by(controller: ArmController, content: Content) -> dict[str, Carried]:
-    """Return what the points of a content have the hand hold, as far as the cell knows it."""
+    """Return the objects that a content's points name as held, as far as the cell has them."""
     points, cell = () if isinstance(content, Recording) else content.points, controller.cell.cell
     found = {}
     for name in {point.holds for point in points if point.holds is not None}:

@@ -91,7 +91,7 @@ class Progress:
             end, is held back at 0 %, or is on its way to a recording's first angles.
         refusal: The reason of its failure.
         percent: The speed that the arm was told for the point under way; ``None``: none.
-        tool_mm_s: What that is at most for the tool, along a line or an arc.
+        tool_mm_s: The highest speed of the tool at that percentage, along a line or an arc.
     """
 
     phase: RunPhase = RunPhase.IDLE

@@ -40,9 +40,12 @@ REPLAY_LAGGING = Reason(
 FULL_PERCENT: Final = 100
 """The recorded pace: no replay is faster."""
 _SPEED_SLACK: Final = 1.02
+"""Speeds computed from samples may exceed a limit by this factor: samples carry jitter."""
 _LAG_SLACK_DEG: Final = 5.0
 _LAG_S: Final = 0.15
+"""The lag that is always allowed: `_LAG_SLACK_DEG`, and the way of this time."""
 LAG_MEMORY_S: Final = 1.0
+"""The highest speed and pace within this time count for the lag that is allowed."""
 _ACCELERATION_DEG_S2: Final = math.degrees(5.0)
 """The acceleration assumed while the arm has not reported its own."""
 
@@ -81,7 +84,7 @@ class Replay:
 
         Args:
             begin_deg: Where the arm stands.
-            most: That speed, in percent of the recorded pace.
+            most: The highest speed, in percent of the recorded pace.
         """
         from armui.ways.way import Way  # noqa: PLC0415 - numpy
 
@@ -116,7 +119,7 @@ class Replay:
         return None if math.isnan(opening_mm) else opening_mm
 
     def braking_s(self, at_s: float, state: ArmState) -> float:
-        """Return the time in which the slowest joint brakes from its speed of late."""
+        """Return the time in which the slowest joint brakes from its recent speed."""
         speeds = self._speeds_deg_s(at_s)
         return max(
             speed / (heard.value if heard is not None else _ACCELERATION_DEG_S2)
@@ -124,7 +127,7 @@ class Replay:
         )
 
     def _speeds_deg_s(self, at_s: float) -> list[float]:
-        """Return the fastest of each joint in the last second."""
+        """Return the highest speed of each joint in the last second."""
         last = self._cursor.index_at(at_s)
         first = self._cursor_behind.index_at(at_s - LAG_MEMORY_S)
         highest = self.known.speeds_deg_s[first : last + 1].max(axis=0)

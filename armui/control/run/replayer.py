@@ -67,9 +67,11 @@ _SAMPLES_PERCENT: Final = 100
 _APPROACH_WITHIN_S: Final = 90.0
 """An approach that takes longer fails; time counts as slowly as the arm goes."""
 _REST_WITHIN_S: Final = 3.0
+"""An arm told to end its motion rests within this time, or the operator is warned."""
 _GRIPPER_STEP_MM: Final = 0.5
 """The gripper gets a new target only when the recorded opening has changed by this much."""
 _GRIPPER_TORQUE_NM: Final = 1.0
+"""Recordings hold no torque: this is the first value of the gripper's command, too."""
 _GAP_S: Final = 0.08
 """After a longer pause of the program the recorded time goes on by one period only, so that the arm
 is never asked to catch up; jogs end after the same time."""
@@ -117,7 +119,7 @@ class Replayer(Execution):
         return self.begin(started, replay)
 
     def begin(self, started: Started, replay: Replay) -> Refusal | None:
-        """Do so for any operation of the controller, which has asked its own reasons before."""
+        """Begin a replay for another operation, which has checked its own reasons against it."""
         context = self._context
         refusal = why_not(replay)
         most, self._too_fast = most_percent(replay, context.operating_state())
@@ -181,7 +183,7 @@ class Replayer(Execution):
         return None
 
     def why_not_at(self, percent: int) -> Refusal | None:
-        """Return what stands against more than the highest speed that was checked, or ``None``."""
+        """Return the reason against a speed above the highest one that was checked, or ``None``."""
         return self._too_fast if percent > self._most_percent else None
 
     def set_speed(self, percent: int) -> None:
@@ -215,7 +217,7 @@ class Replayer(Execution):
         self._abort_motion()
         self._publish()
 
-    # What time and the arm bring --------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
         """Send the targets that are due; called at each tick and by a timer of its own."""
@@ -228,7 +230,7 @@ class Replayer(Execution):
         if reason is not None:
             self._fail(reason)
         elif not self._known or (self._phase is RunPhase.MOVING and self._passed is None):
-            pass  # it is waited for, or the gate is still checking the way (S35)
+            pass  # feedback is missing, or the gate still checks the way (S35)
         elif self._phase is RunPhase.STOPPING:
             self._follow_rest(replay)
         elif self._phase is RunPhase.MOVING and self._watch is not None:
@@ -242,9 +244,9 @@ class Replayer(Execution):
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
-        """Return whether it has been paused by 0 %, and the recorded time still slows down.
+        """Return whether it was paused by 0 %, and the recorded time still slows down.
 
-        After a long pause of the program it does so no more: the arm rests at the last target.
+        After a long pause of the program it does not: the arm already rests at the last target.
         """
         if self._context.clock() - self._since_s >= _LONGEST_GAP_S:
             self._pace = 0.0
@@ -254,9 +256,9 @@ class Replayer(Execution):
     def _approach(self, replay: Replay) -> Refusal | None:
         """Set out for the first sample, slowly: the arm may stand anywhere.
 
-        What is checked is the way there and the whole recording, at the highest speed. Where that
-        is refused, the operator's lower speed is tried, above which the replay may not go then. An
-        arm that lies outside its limits is brought inside first.
+        The gate checks the way there and the whole recording, at the highest speed. Where that is
+        refused, the operator's lower speed is tried, above which the replay may not go then. An arm
+        that lies outside its limits is brought inside first.
         """
         refusal = self._send_off(replay)
         return None if refusal is None else self._more_slowly(refusal)
@@ -270,7 +272,7 @@ class Replayer(Execution):
 
     def _on_refused(self, refusal: Refusal) -> None:
         if self._phase is not RunPhase.MOVING:
-            return  # it has been ended already
+            return  # the replay was ended meanwhile
         left = self._more_slowly(refusal)
         if left is not None:
             self._fail(left)
@@ -306,7 +308,7 @@ class Replayer(Execution):
 
     def _follow_approach(self, watch: ArrivalWatch) -> None:
         now_s = self._context.clock()
-        # An arm slowed to a half may take twice as long.
+        # At half the speed the arm may take twice as long.
         slowed = self._approach_percent / self._approach_cap
         self._waited_s += (now_s - self._looked_s) * slowed
         self._looked_s = now_s
@@ -326,7 +328,7 @@ class Replayer(Execution):
             self._fail(RUN_TOO_SLOW(seconds=round(_APPROACH_WITHIN_S)))
 
     def _begin_stream(self, now_s: float) -> None:
-        """Have targets followed at full speed from now on: the recording says how fast."""
+        """Switch to streaming targets at full speed: the recording sets the pace."""
         replay = self._replay
         if replay is None:
             return
@@ -355,7 +357,7 @@ class Replayer(Execution):
 
     def _why_late(self) -> Refusal | None:
         """Return why a stream of targets does not go on after a long pause of the program."""
-        streams = self._watch is None and self._passed is not None  # or the gate still checks it
+        streams = self._watch is None and self._passed is not None  # else the gate still checks it
         if self._phase is not RunPhase.MOVING or not streams:
             return None
         gap_s = self._context.clock() - self._since_s
@@ -369,7 +371,8 @@ class Replayer(Execution):
         if now_s <= self._since_s or command is None:
             return
         if self._context.connection.holds(command.number):
-            # the driver has not sent the last target yet: a second one would leave right behind it
+            # The driver has not sent the last target yet; a second one would be sent right after
+            # it.
             return
         gap_s, self._since_s = now_s - self._since_s, now_s
         gone_s = gap_s if gap_s <= _GAP_S else PERIOD_MS / 1e3
@@ -388,14 +391,14 @@ class Replayer(Execution):
             self._end_cycle(replay)
 
     def _highest_pace(self, now_s: float) -> float:
-        """Return the highest pace of late; the arm may still lag by it."""
+        """Return the highest pace within :data:`LAG_MEMORY_S`, by which the arm may still lag."""
         self._paces.append((now_s, self._pace))
         while self._paces[0][0] < now_s - LAG_MEMORY_S:
             self._paces.popleft()
         return max(pace for _at_s, pace in self._paces)
 
     def _change_pace(self, replay: Replay, gone_s: float) -> None:
-        """Let the recorded time go over to the operator's speed, as fast as the joints can follow.
+        """Ramp the pace of the recorded time to the operator's speed, as the joints can follow.
 
         What was paused comes to a stand, also when the speed was raised again meanwhile.
         """

@@ -32,7 +32,7 @@ class RequestState(enum.Enum):
     CHECKED = enum.auto()
     """The check is done; a request for a check alone ends here."""
     ASKING = enum.auto()
-    """The operator has to agree to the findings, or to a motion so long after the press."""
+    """The operator has to agree to the findings, or to a motion that long after the press."""
     STARTING = enum.auto()
     UNDER_WAY = enum.auto()
     REFUSED = enum.auto()
@@ -144,7 +144,7 @@ class RunRequest:
         self._read(self._on_read)
 
     def _on_read(self, content: Content | None) -> None:
-        """Have it checked, for the arm that the button was pressed for."""
+        """Start the check of the content, for the arm that the button was pressed for."""
         if self.state is not RequestState.READING:
             return
         if content is None:
@@ -169,7 +169,7 @@ class RunRequest:
         late = self._clock() - self._pressed_s > _SURPRISING_S
         self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
         self._enter(RequestState.CHECKED)
-        if self.is_over:  # only checked, or given up by whoever was told
+        if self.is_over:  # only a check, or `told` gave it up
             return
         if checked.errors:
             self._refuse(FINDINGS_AGAINST(count=checked.errors))
@@ -186,18 +186,18 @@ class RunRequest:
                 self._start(self.checked)
 
     def _goes_otherwise(self, checked: Preflight) -> bool:
-        """Begin anew if the choices were turned meanwhile; refuse what is not to be run at all."""
+        """Begin anew if the options have changed, or refuse; return whether either happened."""
         refusal = self._why_not(checked.order.content)
         if refusal is not None:
             self._refuse(refusal)
         elif self._options_shown() != self.options:
-            self.begin()  # what is shown has not been checked
+            self.begin()  # the options now shown were not checked
         else:
             return False
         return True
 
     def _start(self, checked: Preflight) -> None:
-        """Let the arm set out, if the check still says something of it."""
+        """Start the run, if the check is still valid for the arm as it is now."""
         refusal = checked.why_outdated(self._controller, self.options)
         if refusal is None:
             self._enter(RequestState.STARTING)
@@ -217,10 +217,10 @@ class RunRequest:
         self._enter(RequestState.REFUSED)
 
     def _enter(self, state: RequestState) -> None:
-        """Go on to another state, and tell so.
+        """Change to another state, and call `told`.
 
         Raises:
-            ValueError: It does not follow the present one.
+            ValueError: The state may not follow the present one.
         """
         ends = {RequestState.REFUSED, RequestState.GIVEN_UP}
         if self.is_over or state not in _NEXT[self.state] | ends:

@@ -53,7 +53,7 @@ class Runner(QObject):
         """Return whether the present run of points, or the last one, goes by these."""
         rows = self._controller.player.rows
         if self._compared[0] is not rows or self._compared[1] is not points:
-            self._compared = rows, points, rows == points  # slow with ten thousand
+            self._compared = rows, points, rows == points  # kept: slow with 10,000 points
         return self._compared[2]
 
     def start(self, checked: Preflight, speed_percent: int) -> Refusal | None:
@@ -64,7 +64,7 @@ class Runner(QObject):
         """Run a checked content; return the record of the run, or why it has not begun.
 
         Args:
-            checked: What is run.
+            checked: The checked content.
             speed_percent: The operator's speed as it begins.
         """
         content, asked, options = checked.content, checked.order.content, checked.basis.options

@@ -64,7 +64,7 @@ class SpeedOverride(ControllerPart):
         return next((run for run in self._runs if run.running), None)
 
     def _set(self, started: Started, wanted: int) -> Refusal | None:
-        """Let the run under way go at another speed; lowered at once, 0 % holds it back."""
+        """Set another speed for the run under way; a lower one is sent at once, 0 % holds it."""
         run = self._running
         if run is None:
             return None

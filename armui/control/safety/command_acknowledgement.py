@@ -25,7 +25,7 @@ _AWAY_DEG: Final = 0.5
 _WITHIN_S: Final = 1.0
 """Within this time even the slowest motion shows, at 1 % of 180°/s."""
 _IN_TIME_S: Final = 0.5
-"""Of that time the angles have arrived in time for at least the last part, without a gap."""
+"""The angles must have arrived without a gap for at least this last part of that time."""
 
 _SINGLE: Final = frozenset({CommandKind.JOINTS, CommandKind.POSE, CommandKind.JOG})
 """The kinds that are watched; runs and replays notice by themselves an arm that is elsewhere."""
@@ -77,7 +77,7 @@ class AcknowledgementMonitor:
                 ended is End.MOVED_AWAY and self._leads_away(watched)
             )
         self._command = command
-        # the setpoints of a jog follow one another: the first of them counts
+        # a jog is a stream of setpoints: its first counts
         sent_s = self._since_s if command.kind is CommandKind.JOG else command.sent_s
         since_s = max(self._since_s, sent_s)
         early = now_s - since_s < _WITHIN_S or state.in_time_for_s(now_s, since_s) < _IN_TIME_S

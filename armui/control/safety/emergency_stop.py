@@ -26,12 +26,12 @@ class _Outstanding:
     """A stop that has been asked for and not been confirmed.
 
     Attributes:
-        frames: What is sent.
-        since_s: Since when the arm's word is awaited.
-        asked_s: When it was asked for last.
-        sent_s: When it was sent last.
-        reached_s: When the arm was heard last.
-        lapsed: It is not sent by itself any more.
+        frames: The frames of the stop.
+        since_s: Since when the arm's confirmation is awaited.
+        asked_s: The time at which it was last asked for.
+        sent_s: The time at which it was last sent.
+        reached_s: The time at which the arm was last heard.
+        lapsed: True if it is no longer sent automatically.
     """
 
     frames: Sequence[Frame]

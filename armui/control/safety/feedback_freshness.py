@@ -1,4 +1,4 @@
-"""Checks of the feedback: is it fresh, are motors without power, is drag teaching on. Pure."""
+"""Checks whether feedback is fresh, motors lack power, or drag teaching is on: pure."""
 
 from __future__ import annotations
 

@@ -72,7 +72,7 @@ _SAME_DEG: Final = 0.2
 _AT_ONCE: Final = 400.0
 """A way is checked in the call if its turn in degrees times what it is checked against is less."""
 _SET_ANEW: Final = frozenset({Mover.HAND, Mover.OTHER_HOST, Mover.LEADER, Mover.GRAVITY})
-"""Who brings the arm where our motions did not: it is found outside anew."""
+"""Movers that may take the arm outside; how far outside it is, is then noted anew."""
 
 AGREED: Final = Range(-5000.0, 0.0, "mm")
 Agreed = Annotated[float, AGREED]
@@ -133,10 +133,10 @@ class _Pending:
 
     Attributes:
         since_s: The time of the press.
-        revision: The authority's then: with another one it is void.
-        job: Its check; ``None`` while the arm does not rest.
-        rules: Those it is checked against.
-        told: True once the operator was told that it is checked.
+        revision: The authority's revision at the press; the motion is void once it differs.
+        job: The check in its thread; ``None`` while the arm does not rest.
+        rules: The rules it is checked against.
+        told: True once the operator was notified that it is being checked.
     """
 
     request: MotionRequest
@@ -148,7 +148,7 @@ class _Pending:
 
 
 class StreamCheck:
-    """Checks the setpoints of a jog one by one; a look holds as far as the free room around.
+    """Checks the setpoints of a jog; one check is valid within the free space that it found.
 
     Args:
         gate: Knows the rules in force.
@@ -167,7 +167,7 @@ class StreamCheck:
         Args:
             ahead_deg: The next setpoint.
             now_deg: The present one.
-            lag_deg: How far each joint may be behind the next one; nothing for hardly any.
+            lag_deg: How far each joint may lag behind the next setpoint; empty for almost no lag.
         """
         rules = self._gate.rules()
         if rules is None:
@@ -217,7 +217,7 @@ class Gate(ControllerPart):
         self._rest = RestWatch(QUIET_DEG, QUIET_S)
         self._pending: _Pending | None = None
 
-    # What is known ------------------------------------------------------------------------------
+    # Rules --------------------------------------------------------------------------------------
 
     def rules(self) -> Rules | None:
         """Return the rules in force; ``None`` while no arm is connected."""
@@ -228,7 +228,7 @@ class Gate(ControllerPart):
             self._of, self._rules, self._marks = of, make(), {}
         return self._rules
 
-    # What is asked ------------------------------------------------------------------------------
+    # Checks -------------------------------------------------------------------------------------
 
     def judge(self, way: Way) -> Refusal | None:
         """Return why a way may not be driven now, or ``None``; nothing is sent, or noted."""
@@ -236,7 +236,7 @@ class Gate(ControllerPart):
         return None if rules is None else _judge(way, rules, self._marks).refusal
 
     def judge_target(self, joints_deg: Sequence[float]) -> Refusal | None:
-        """Return why no motion may end at six angles, or what is asked before it, or ``None``.
+        """Return why no motion may end at six angles, or the question before it, or ``None``.
 
         Its way is judged when it is sent.
         """
@@ -258,7 +258,7 @@ class Gate(ControllerPart):
         return judged.refusal or self._let_through(judged, way)
 
     def ask_on(self, command: MotionCommand | None) -> Pass | Refusal:
-        """Return the pass for what is left of a motion that was held back, or why it may not go on.
+        """Return the pass for the rest of a motion that was held back, or why it may not continue.
 
         Args:
             command: Our command; ``None`` if its target is not known any more.
@@ -271,7 +271,7 @@ class Gate(ControllerPart):
         return self.ask(rest_of(command.way, begin_deg))
 
     def ask_unknown(self) -> Pass | Refusal:
-        """Return the pass for a motion whose way nobody knows, or why it may not be begun."""
+        """Return the pass for a motion of unknown way, or why it may not begin."""
         rules, now = self.rules(), self._context.operating_state()
         bounded = now.keeps_area or (rules is not None and rules.are_bounded)
         return WAY_UNKNOWN() if bounded else Pass()
@@ -291,7 +291,7 @@ class Gate(ControllerPart):
         return passed
 
     def ask_held(self) -> Pass:
-        """Return the pass for a frame typed by hand, whose way nobody reads: its button is held."""
+        """Return the pass for a frame typed by hand, whose way is unchecked: its button is held."""
         return Pass()
 
     def ask_no_way(self) -> Pass:
@@ -315,7 +315,7 @@ class Gate(ControllerPart):
         return ways_inside(measured_deg, rules)
 
     def stream(self) -> StreamCheck:
-        """Return what checks the setpoints of a new jog."""
+        """Return the object that checks the setpoints of a new jog."""
         return StreamCheck(self)
 
     def _let_through(self, judged: Judgement, way: Way) -> Pass:
@@ -325,7 +325,7 @@ class Gate(ControllerPart):
     def room_to_swing(
         self, begin_deg: Sequence[float], amplitude_deg: float
     ) -> Future[tuple[Swing, ...]] | None:
-        """Have a thread find how far each joint may swing; nothing is sent, or noted.
+        """Start a thread that finds how far each joint may swing; nothing is sent or noted.
 
         Args:
             begin_deg: Where the arm rests.
@@ -338,7 +338,7 @@ class Gate(ControllerPart):
 
         return self._in_background(lambda: swings(begin_deg, amplitude_deg, rules, marks))
 
-    # What is sent -------------------------------------------------------------------------------
+    # Sending ------------------------------------------------------------------------------------
 
     def send(self, request: MotionRequest) -> Refusal | None:
         """Check a motion and send it, at once or within a second; another one that waits is void.
@@ -380,16 +380,16 @@ class Gate(ControllerPart):
         return self._follow(pending)
 
     def _planned(self, request: MotionRequest, begin_deg: Sequence[float]) -> Way | Refusal:
-        """Return the way of a motion, why there is none, or what the operator is asked before."""
+        """Return the way of a motion, or the reason against it or the question that comes first."""
         way, rules = request.plan(begin_deg), self.rules()
         if isinstance(way, Refusal) or rules is None or request.agreed_mm is None:
             return way
         low = _leads_below(way, rules, request.agreed_mm)
-        # nobody is asked about what is refused anyway
+        # A motion that is refused anyway is not asked about.
         return way if low is None else self._why_not(way) or low
 
     def _fluent(self, way: Way, motion: Momentum) -> Way | None:
-        """Return the way of an arm that goes on to it from its motion; ``None``: it must brake."""
+        """Return the way from the present motion without braking first; ``None``: it must brake."""
         first, *_, last = way.joints_deg.tolist()
         astray_deg = motion.astray_deg([b - a for a, b in zip(first, last, strict=True)])
         if not max(astray_deg) <= FLUENT_DEG:
@@ -399,10 +399,10 @@ class Gate(ControllerPart):
     def _brake_first(
         self, request: MotionRequest, measured_deg: Sequence[float], motion: Momentum | None = None
     ) -> Refusal | None:
-        """Have the arm end what it does; the motion follows once it rests.
+        """End the arm's present motion; the new one is sent once the arm rests.
 
-        A motion that could not follow anyway ends no other one: where the arm will rest is known
-        nearly.
+        It is checked first from where the arm is expected to rest: a motion that would be refused
+        does not end the present one.
         """
         begin_deg = measured_deg
         if motion is not None:
@@ -476,7 +476,7 @@ class Gate(ControllerPart):
     # The controller's tick ------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Go on with what waits, and note who else has moved the arm."""
+        """Advance the motion that waits, and note whether somebody else has moved the arm."""
         context = self._context
         self._rest.observe(context.connection.newest, context.clock())
         authority = context.authority
@@ -490,12 +490,12 @@ class Gate(ControllerPart):
             self._refuse(pending.request, refusal)
 
     def _follow(self, pending: _Pending) -> Refusal | None:
-        """Go on with what waits; return why it is refused, or ``None``."""
+        """Advance the motion that waits; return why it is refused, or ``None``."""
         context, request = self._context, pending.request
         now_s = context.clock()
         # Another command, a stop or a cancel has come since the press: what waited is void (S10).
         if context.authority.revision != pending.revision:
-            if request.refused is not None:  # a run would wait for it for ever
+            if request.refused is not None:  # else a run would wait for it forever
                 self._pending = None
                 return COMMAND_OVER()
             self._drop(Ending.CUT_OFF)
@@ -595,7 +595,7 @@ class Gate(ControllerPart):
 
 
 def _is_short(way: Way, rules: Rules) -> bool:
-    """Return whether a way is checked in a moment, or ends nowhere at all."""
+    """Return whether the check of a way is short; true for NaN, too, which it refuses."""
     return not rules.effort(way) > _AT_ONCE
 
 

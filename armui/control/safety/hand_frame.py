@@ -109,7 +109,7 @@ class FrameEffect(enum.StrEnum):
 
 
 NEVER_REFUSED: Final = frozenset({FrameEffect.ENDS, FrameEffect.SINKS, FrameEffect.DROPS})
-"""The effects that are permitted whoever moves the arm: they end its motion."""
+"""The effects that are always permitted, also beside other hosts: they end a motion."""
 MOVING: Final = frozenset(
     {
         FrameEffect.LIMP,

@@ -55,13 +55,13 @@ _OTHERS_WITHIN_S: Final = 0.1
 
 @dataclass(slots=True)
 class _Question:
-    """The version is asked for before the arm is taken out of its mode.
+    """The question for the version, before the arm is taken out of its mode.
 
     Attributes:
-        mark: Which arm the operator has meant.
-        pauses: How often it had paused by then.
-        pressed_s: When the operator pressed.
-        next_s: When the question is put the next time.
+        mark: The arm and connection that the operator has meant.
+        pauses: The number of pauses in its feedback at the press.
+        pressed_s: The time of the operator's press.
+        next_s: When the question is sent again.
     """
 
     mark: ArmMark
@@ -174,7 +174,7 @@ class ModeExitCommand(ControllerPart):
         sent = context.send_motion(
             CommandKind.JOINTS,
             [*frames, *commands.joint_target(codec, angles_deg)],
-            passed=context.gate().ask_no_way(),  # it holds the arm where it is
+            passed=context.gate().ask_no_way(),  # its targets are the present angles
             started=Started("recovery.leave_mode"),
             move_mode=MoveMode.MOVE_J,
             speed_percent=percent,

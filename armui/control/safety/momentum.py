@@ -26,7 +26,7 @@ class Momentum:
     Attributes:
         speeds_deg_s: Their speeds; 0 of what stands.
         accelerations_deg_s2: With which they brake.
-        late_s: How long ago the speeds were measured, and what a target needs to take effect.
+        late_s: The age of the speeds, plus the time that a target needs to take effect.
     """
 
     speeds_deg_s: tuple[float, ...]
@@ -81,7 +81,7 @@ class Momentum:
         )
 
     def _aside_deg(self, speed: float, acceleration: float) -> float:
-        """Return how far a joint goes on that must give up a speed."""
+        """Return how far, in degrees, a joint continues until this speed is braked away."""
         if abs(speed) < STILL_DEG_S:
             return 0.0
         fastest = abs(speed) + acceleration * self.late_s

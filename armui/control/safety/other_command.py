@@ -43,7 +43,7 @@ _GONE_AFTER_S: Final = 2.0
 _TAKE_OVER_AFTER_S: Final = 0.5
 """The operator may take over this long after the other host's last motion frame (S13)."""
 _TAKEN_IN_S: Final = 0.3
-"""A status this much later than a mode word was reported after it."""
+"""A status received this long after a mode word already reflects it."""
 _GRIPPER: Final = 0x159
 _MODE_BYTE: Final = 1
 _MIT_BYTE: Final = 3
@@ -126,7 +126,7 @@ class OtherCommand:
         elif self.last_s is not None and now_s - self.last_s >= _GONE_AFTER_S and at_rest:
             self.commands = False
         self.series = tuple(each for each in motion if now_s - each.last_s < _GONE_AFTER_S)
-        # read late, its first frames are outdated already: they name it all the same
+        # If the program reads late, its first frames are outdated already, but still identify it.
         self._last_series = self.series or self._last_series or motion
         self.mode = self._mode_of(traffic, offsets, state)
         return new
@@ -184,7 +184,7 @@ class OtherCommand:
 
     @property
     def may_be_taken_over(self) -> bool:
-        """True if the operator may take the arm over; from a stream nobody can."""
+        """True if the operator may take the arm over; during a stream of commands never."""
         if not self.commands or self.last_s is None:
             return False
         return self._now_s - self.last_s >= _TAKE_OVER_AFTER_S
@@ -232,5 +232,5 @@ def _shown(state: ArmState, now_s: float) -> OtherMode | None:
 
 
 def _has_left(status: Status) -> bool:
-    """Tell whether the arm is seen to have left the mode that a mode word with MOVE J put it in."""
+    """Return whether the arm reports to have left the mode that a mode word with MOVE J set."""
     return status.control_mode != ControlMode.CAN_CONTROL or status.move_mode != MoveMode.MOVE_J

@@ -37,13 +37,14 @@ TOOL_TURNS_TOO_FAST = Reason(
 
 
 _TOO_FAST: Final = 1.5
-"""A measured speed of more than so many times what the window shows ends the motion (S12)."""
+"""A measured speed above this multiple of the shown speed ends the motion (S12)."""
 _SLACK_DEG_S: Final = 2.0
 """The speed that the last digit's noise and the bus's jitter can feign."""
 _SLACK_MM_S: Final = 3.0
 _TOOL_SLACK_DEG_S: Final = 2.0
 """The same for the flange, at the end of the arm."""
 _UNKNOWN_RAMP_S: Final = 1.0
+"""The braking time assumed for a tool whose pace on its path is not known."""
 _TAKEN_UP_S: Final = 0.2
 """A new percentage shows in the measured speed after this time."""
 _FOR_S: Final = 0.1
@@ -58,7 +59,7 @@ class ToolPace:
     """The greatest speed of the flange along a line or an arc at 100 %.
 
     Attributes:
-        kinematics: Of the arm that is measured.
+        kinematics: The kinematics of the measured arm.
         linear_mm_s: The speed of its position.
         angular_deg_s: The speed of its turning.
         ramp_s: The braking time from this speed to rest.
@@ -70,7 +71,7 @@ class ToolPace:
     ramp_s: float
 
     def slowed_within_s(self, percent: float) -> float:
-        """Return the longest time in which the tool becomes slower by so many percent."""
+        """Return the longest time in which the tool slows down by a percentage."""
         return self.ramp_s * percent / 100.0 + _TAKEN_UP_S
 
 
@@ -85,7 +86,7 @@ class _SpeedChange:
     """The speeds of the joints at a change of the speed that was set.
 
     Attributes:
-        at_s: When that was.
+        at_s: The time of the change.
         measured_deg_s: The speed of each joint then.
         allowed_deg_s: The highest speed each was allowed until then.
     """
@@ -148,7 +149,7 @@ class OverspeedWatch:
             percent: The speed shown for the motion under way, of its highest; ``None``: there is
                 nothing to compare with.
             factory: The factory limits of the model, for unread ones.
-            accelerations_deg_s2: Of the six joints: how they slow down.
+            accelerations_deg_s2: The accelerations with which the six joints slow down.
             pace: The tool's speed at 100 %, for a line or an arc.
 
         Returns:
@@ -225,7 +226,7 @@ def tool_pace(
 def _shown_deg_s(
     state: ArmState, percent: int, factory: Sequence[JointLimits]
 ) -> tuple[float, ...]:
-    """Return what the speed shown means for each joint."""
+    """Return the speed of each joint, in °/s, that the shown percentage allows."""
     highest = (
         limits.value if limits is not None and plausible(limits.value) else stands_in
         for limits, stands_in in zip(state.limits, factory, strict=True)

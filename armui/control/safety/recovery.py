@@ -62,7 +62,7 @@ STEP_IN_VAIN_NOTICE = Notice(
 
 
 _SHOWS_LATER_S: Final = 0.5
-"""An answer's effect shows in the feedback this much later: drivers report ten times a second."""
+"""The effect shows in the feedback within this time of an answer: drivers report at 10 Hz."""
 
 _SETTLE_S: Final = 0.25
 _MAY_BE_BRIEF: Final = frozenset(
@@ -84,7 +84,7 @@ class _Act:
     """The functions behind an action.
 
     Attributes:
-        carry_out: Does it against a step; returns why not, if it comes to nothing at once.
+        carry_out: Takes the action against a step; returns why not, if it fails at once.
         why_not: Returns the reason against it, besides the step's own.
         awaited: True if the arm is to show its effect; otherwise it leads to another step at once.
     """
@@ -103,7 +103,7 @@ def _operation(
         method: The operation.
         *given: Arguments of it on which its reason does not depend.
         awaited: As in :class:`_Act`.
-        **asked: Those on which it does.
+        **asked: The arguments on which its reason depends.
     """
     return _Act(
         lambda _step: method(*given, **asked),
@@ -117,8 +117,8 @@ class _PendingAction:
     """An action under way; it ends when the arm is in another state.
 
     Attributes:
-        step: What it is to settle.
-        idle_since_s: Since when nothing of it is on its way any more.
+        step: The step that it is to settle.
+        idle_since_s: The time since when nothing of it is under way any more.
         cleared: The clearing of errors that it last began.
     """
 
@@ -302,10 +302,10 @@ class Recovery(ControllerPart):
         self._pending.drop()
         self._to_clear.clear()
 
-    # How an action fares --------------------------------------------------------------------------
+    # The outcome of an action ---------------------------------------------------------------------
 
     def _follow(self, step: Step, now_s: float) -> Step:
-        """Return the step with what has become of the action taken against it."""
+        """Return the step with the outcome so far of the action taken against it."""
         attempt = self._attempt
         if attempt is None:
             return step
@@ -321,7 +321,7 @@ class Recovery(ControllerPart):
         elif now_s - attempt.idle_since_s >= _SHOWS_LATER_S:
             started = self._pending.release()
             self._give_up()
-            if attempt.answered:  # a stronger means would take no cause away either
+            if attempt.answered:  # a stronger action would not help either
                 self._in_vain[step.kind] = 0
             else:
                 self._in_vain[step.kind] = self._in_vain.get(step.kind, 0) + 1
@@ -344,7 +344,7 @@ class Recovery(ControllerPart):
     def _holds(self, step: Step, now_s: float) -> bool:
         """Return whether a step is to be shown: some states are passed through in a moment.
 
-        Where the arm sinks no line that says less may stand in its place.
+        While the arm sinks, no lesser step is shown instead of that.
         """
         sinks = step.motion is not None and step.motion.is_danger
         if step.kind not in _MAY_BE_BRIEF or step.kind is self.step.kind or sinks:

@@ -2,8 +2,8 @@
 
 A higher row must be settled before a lower one can be: without a link nothing else matters, a stop
 hides every other fault, a driver with a fault keeps its motor off, motors without power cannot be
-moved out of a limit. Of those that could be settled in any order the greater matter comes first:
-danger, then doubt, then what is offered.
+moved out of a limit. Rows that could be settled in any order are sorted by weight: danger, then
+doubt, then offers.
 """
 
 from __future__ import annotations
@@ -133,7 +133,7 @@ def next_step(
         rule.escalation if stronger else rule.action,
         joints if isinstance(joints, tuple) else (),
         failed=None if failures is None else failed,
-        # an arm that answers and keeps its fault has another way, but none that is advised
+        # If the arm answered but keeps its fault, the stronger action is only the alternative.
         alternative=rule.escalation if failures == 0 else rule.alternative,
         motion=motion,
         locked=operating_state.cannot_move is not None,

@@ -168,7 +168,7 @@ class ReferenceControl(ControllerPart):
 
     Attributes:
         check: The check that is open, or ``None``.
-        record: What is kept of the connected arm.
+        record: The record of the connected arm.
     """
 
     def __init__(
@@ -185,7 +185,7 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
         self._left_over_deg: tuple[float, ...] | None = None
         self._simulated: ReferenceRecord | None = None
-        """What is known of the simulated arm of this device: the next one is new."""
+        """The record of this device's simulated arm, which ends with the device."""
         self._slipped = ""
         self.check: ReferenceCheck | None = None
         self.record = ReferenceRecord()
@@ -314,7 +314,7 @@ class ReferenceControl(ControllerPart):
         self._keep(replace(self.record, resumes=(*self.record.resumes, entry)[-KEPT:]))
 
     def note_slip(self) -> None:
-        """Leave it at that: the operator has read what slipped at a resume."""
+        """Stop showing what slipped at a resume: the operator has read it."""
         self._slipped = ""
         self._context.refresh()
 
@@ -355,7 +355,7 @@ class ReferenceControl(ControllerPart):
             self._context.tell(REFERENCE_CHECK_LEFT)
             self._context.refresh()
 
-    # What the arm shows -----------------------------------------------------------------------
+    # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
         """Judge what was reported; called at each tick while a device is open."""
@@ -385,7 +385,7 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
 
     def forget_arm(self) -> None:
-        """Forget the arm; what is kept of it is kept, but a simulated arm ends with its device."""
+        """Forget the arm; its record is kept, unless it is a simulated arm."""
         self._leave()
         self._simulated = None
 
@@ -426,7 +426,7 @@ class ReferenceControl(ControllerPart):
         context.refresh()
 
     def _recall(self, memory: ReferenceMemory, key: str) -> ReferenceRecord | None:
-        """Return what is kept of the arm; of a simulated one that began just now only its pose."""
+        """Return the arm's kept record; of a simulated arm that has just started only its pose."""
         kept = memory.get(key)
         if not self._is_simulated:
             return kept
@@ -451,7 +451,7 @@ class ReferenceControl(ControllerPart):
         return self._wall().isoformat(timespec="seconds")
 
     def _watched(self, now: OperatingState, now_s: float, *, stalled: bool) -> WatchedArm:
-        """Return what the watch must know beside the angles."""
+        """Return the facts that the watch needs beside the angles."""
         context = self._context
         authority, state = context.authority, context.connection.newest
         command, status = authority.command, state.status
@@ -493,5 +493,5 @@ class ReferenceControl(ControllerPart):
 
 
 def _lasting(record: ReferenceRecord) -> ReferenceRecord:
-    """Return what of a simulated arm's record outlives it: the operator's pose and photo."""
+    """Return the part of a simulated arm's record that is kept: the operator's pose and photo."""
     return ReferenceRecord(pose_deg=record.pose_deg, photo=record.photo)

@@ -22,7 +22,7 @@ LEFT_DEG: Final = 5.0
 EXEMPT_S: Final = 1.0
 """For this long after a stop, a silence, a foreign motion and the like nothing is judged."""
 _LATER_S: Final = 0.2
-"""A driver's report this much later than the excursion tells whether the joint was enabled."""
+"""A driver's report this long after the excursion shows whether the joint was enabled."""
 _UNTOLD_S: Final = 2.0
 """Without such a report within this time nothing is concluded."""
 _FASTER: Final = 1.5
@@ -104,7 +104,7 @@ class Excursion:
 
     Attributes:
         joint: The joint (1–6).
-        place_deg: Where it belonged.
+        place_deg: The angle at which it should have stayed.
         farthest_deg: The angle farthest from there that was reported.
     """
 
@@ -121,7 +121,7 @@ class _Suspicion:
 
 
 class _Joint:
-    """The range one joint may be in: from its place to every target given since it stood."""
+    """The allowed range of one joint: from where it stood to every target sent since."""
 
     def __init__(self) -> None:
         self.between: tuple[float, float] | None = None
@@ -139,7 +139,7 @@ class _Joint:
             self.between = min(low, target_deg), max(high, target_deg)
 
     def settle(self) -> None:
-        """Take where it stands for its place; what it was pushed beyond that is not."""
+        """Take the joint's angle, clipped to its allowed range, as its new place."""
         if self.last is None or self.suspicion is not None:
             return
         angle = self.last[1]
@@ -151,7 +151,7 @@ class _Joint:
         at_s, angle_deg = report.at_s, report.angle_deg
         before, self.last = self.last, (at_s, angle_deg)
         if before is None or not report.in_time:
-            # the first report, or a late one, proves nothing: the next one shows whether it stays
+            # A first or late report is no evidence of a jump; the next one is compared with it.
             return
         place_deg = before[1]
         since_s = max(0.0, at_s - before[0])
@@ -187,7 +187,7 @@ class ReferenceWatch:
         """Take in what was reported; return the joints that have left their place.
 
         Args:
-            arm: What is known beside the angles.
+            arm: The facts about the arm beside the angles.
             reports: Every angle reported since the last call, in order.
         """
         if arm.exempt:

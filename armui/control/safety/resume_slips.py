@@ -31,9 +31,9 @@ RESUME_SLIPPED = Notice(
 
 BEFORE_S: Final = 0.15
 AFTER_S: Final = 0.5
-"""What was heard from so long before to so long after a resume is compared."""
+"""The feedback from `BEFORE_S` before to this long after a resume is compared."""
 _COMES_S: Final = 0.1
-"""After that the last of it has arrived."""
+"""The last feedback of that time has arrived after this further time."""
 
 
 class ResumeListener(Listener):

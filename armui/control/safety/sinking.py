@@ -24,7 +24,7 @@ SHOWN_AGAIN_S: Final = 0.25
 _MOVED_DEG: Final = 0.2
 """A joint this far from where it stood has moved: more than a limp one trembles."""
 _SAGGED_DEG: Final = 1.0
-"""The same with power: under a new load a joint gives way by half a degree and holds."""
+"""The limit for joints under power, which sag by half a degree under a new load and then hold."""
 _REST_S: Final = 0.5
 """At rest is what has stood for this long: a slow creep would pass for rest in less."""
 _WINDOW_S: Final = 0.3
@@ -33,11 +33,11 @@ _SHORTEST_S: Final = 0.05
 """A speed is not computed over a shorter time: noise would outweigh the motion."""
 _JUMP_DEG: Final = 2.0
 _JUMP_DEG_S: Final = 400.0
-"""No joint turns that fast: the angles are counted from another zero, and nothing has moved."""
+"""A change of angle beyond `_JUMP_DEG` and this speed is no motion: the zeros have changed."""
 _BY_WEIGHT: Final = frozenset(
     {Unheld.STOPPED, Unheld.MOTORS_OFF, Unheld.JOINTS_OFF, Unheld.NOT_TOLD}
 )
-"""Where a way down is the arm's weight: elsewhere a motor or a hand may have led it."""
+"""The causes with which a way down means sinking; with others a motor or a hand may lead it."""
 _SOON_S: Final = 10.0
 _LATER_S: Final = 60.0
 """A silence is told in steps of 1 s up to the first of these times, of 5 s up to the second, then
@@ -74,8 +74,8 @@ class _Sample:
 class SinkingWatch:
     """Compares the measured angles with where the arm last stood.
 
-    Two samples that came in time are compared. Across a gap in what arrives nothing is claimed to
-    have begun.
+    Two samples that came in time are compared. No motion is taken to begin across a gap in the
+    feedback.
 
     Args:
         height_mm: Returns the height of the lowest of flange, fingertip and held object at six
@@ -122,7 +122,7 @@ class SinkingWatch:
         self._rest.reset()
 
     def observe(self, watched: WatchedMotion) -> None:
-        """Take in what is heard now."""
+        """Take in the present facts and the newest angles."""
         if not watched.heard:
             self._show_unheard(watched.now_s)
             return
@@ -138,7 +138,7 @@ class SinkingWatch:
         self._cause, self._joints = watched.cause, watched.joints
         self._judge(watched, fresh=fresh)
 
-    # What arrives -----------------------------------------------------------------------------
+    # Samples ----------------------------------------------------------------------------------
 
     def _take_sample(self, watched: WatchedMotion) -> bool:
         """Keep the newest angles; return whether they are new and follow the last ones in time."""
@@ -166,13 +166,13 @@ class SinkingWatch:
         return len(samples) > 1
 
     def _shift_anchor(self, last: _Sample, sample: _Sample) -> None:
-        """Count where the arm stood from the same zeros as it is told now."""
+        """Move the anchor by the jump of the angles, as they are counted from other zeros now."""
         if self._anchor_deg is not None:
             pairs = zip(self._anchor_deg, last.joints_deg, sample.joints_deg, strict=True)
             self._anchor_deg = tuple(anchor + new - old for anchor, old, new in pairs)
 
     def _of_joints(self, watched: WatchedMotion) -> ArmState:
-        """Return the state with those joints standing that this is not about."""
+        """Return the state with the joints that are not watched fixed at the anchor."""
         state, anchor_deg = watched.state, self._anchor_deg
         if anchor_deg is None or len(watched.joints) == len(JOINTS):
             return state
@@ -182,10 +182,10 @@ class SinkingWatch:
         )
         return state._replace(joints_deg=(a, b, c, d, e, f))
 
-    # What is made of it -----------------------------------------------------------------------
+    # Evaluation -------------------------------------------------------------------------------
 
     def _let_rest(self, watched: WatchedMotion) -> None:
-        """Follow an arm that is held, or moved by a command: it is where it is."""
+        """Make the present angles the anchor: the arm is held, or moved by a command."""
         self._end(watched.now_s, at_rest=False)
         self._cause, self._joints = None, watched.joints
         self._count_from_here()
@@ -242,7 +242,7 @@ class SinkingWatch:
         self.motion = replace(whole, kind=kind, speed_mm_s=round(speed_mm_s), below=below)
 
     def _measured(self, newest: _Sample, since_s: float) -> UncommandedMotion:
-        """Return how far the arm is from where it stood."""
+        """Return the motion as measured from the anchor to a sample."""
         anchor_deg = self._anchor_deg or newest.joints_deg
         down_mm = self._height_mm(anchor_deg) - self._height_mm(self._alone(newest))
         joint, turned_deg = self._turned(newest)
@@ -257,7 +257,7 @@ class SinkingWatch:
         )
 
     def _end(self, ended_s: float, *, at_rest: bool) -> None:
-        """End the motion, if there is one."""
+        """End the motion under way, if any, and keep its whole in :attr:`ended`."""
         if self._since_s is not None and self.motion is not None and self._samples:
             whole = self._measured(self._samples[-1], ended_s - self._since_s)
             self.ended = whole, at_rest
@@ -279,7 +279,7 @@ class SinkingWatch:
         return way_mm / passed_s, self._weight_mm(now_deg) < self._weight_mm(before_deg)
 
     def _alone(self, sample: _Sample) -> tuple[float, ...]:
-        """Return the angles as if only those joints had moved that this is about."""
+        """Return the angles with the joints that are not watched at the anchor."""
         if len(self._joints) == len(JOINTS) or self._anchor_deg is None:
             return sample.joints_deg
         return tuple(

@@ -1,4 +1,4 @@
-"""Tells the operator as long as the arm moves though no motor holds it or nothing told it to."""
+"""Reports to the operator while the arm moves without power or without a command."""
 
 from __future__ import annotations
 
@@ -92,14 +92,15 @@ ARM_UNHEARD_MOVING = Notice(
 
 FURTHER_MM: Final = 50
 FURTHER_DEG: Final = 10.0
+"""A motion that goes on is reported again from one of these further distances on."""
 FURTHER_S: Final = 2.0
-"""A further distance is told when it is this long, and not more often than that."""
+"""Further distances are reported at intervals of at least this time."""
 
 _LOOKED_BELOW_S: Final = 1.0
 _UNTOLD: Final = frozenset(
     {Unheld.STOP_AWAITED, Unheld.DRAG_TEACHING, Unheld.OWN_REPLAY, Unheld.LED}
 )
-"""Where the event of the stop or the replay says it, or a hand may lead: shown, and no event."""
+"""Causes that are shown without an event: the stop or the replay has one, or a hand may lead."""
 
 
 class SinkingControl(ControllerPart):
@@ -141,7 +142,7 @@ class SinkingControl(ControllerPart):
     # A part of the controller -----------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Look at what is heard; called at each tick while a device is open."""
+        """Evaluate the feedback; called at each tick while a device is open."""
         context = self._context
         device = context.connection.device
         if device is None:
@@ -177,7 +178,7 @@ class SinkingControl(ControllerPart):
         self._watch.observe(watched)
         self._tell_events()
 
-    # Why it may move --------------------------------------------------------------------------
+    # Causes -----------------------------------------------------------------------------------
 
     def _cause(self, now: OperatingState) -> tuple[Unheld | None, tuple[int, ...]]:
         """Return why the arm may move without a command, and the joints that may."""
@@ -209,7 +210,7 @@ class SinkingControl(ControllerPart):
         powered = all(now.enabled)
         return (Unheld.NOT_TOLD if untold and powered else None), ALL_JOINTS
 
-    # What is measured -------------------------------------------------------------------------
+    # Measured figures -------------------------------------------------------------------------
 
     def _flange_mm(self, joints_deg: Sequence[float]) -> Sequence[float]:
         rows = flange_rows(self._context.operating_state().model_fit.geometry, joints_deg)
@@ -226,16 +227,16 @@ class SinkingControl(ControllerPart):
         return sum(heights_mm) / len(heights_mm)
 
     def _below(self) -> str:
-        """Return what is below, looked at once a second: it asks every part of the area."""
+        """Return the names of what is below; found once a second, as it checks all of the area."""
         now_s = self._context.clock()
         if now_s - self._looked_s >= _LOOKED_BELOW_S:
             self._looked_s, self._below_now = now_s, self._look_below()
         return self._below_now
 
-    # What is told -----------------------------------------------------------------------------
+    # Notices ----------------------------------------------------------------------------------
 
     def _tell_events(self) -> None:
-        """Tell that it begins, each further distance worth it, and the whole of it at the end."""
+        """Report the beginning, each further distance worth an event, and the whole at the end."""
         watch = self._watch
         if watch.ended is not None:
             (whole, at_rest), watch.ended = watch.ended, None
@@ -286,6 +287,6 @@ def _begins(motion: UncommandedMotion) -> Notice:
 
 
 def _is_further(motion: UncommandedMotion, told: UncommandedMotion) -> bool:
-    """Return whether the arm has come far enough since it was told last."""
+    """Return whether the arm has moved far enough since the last report."""
     turned = abs(motion.turned_deg - told.turned_deg) >= FURTHER_DEG
     return turned or abs(motion.down_mm - told.down_mm) >= FURTHER_MM

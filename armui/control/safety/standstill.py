@@ -64,7 +64,7 @@ class RestWatch:
     def observe(self, state: ArmState, now_s: float) -> None:
         """Take in the measured angles; angles that are not fresh are ignored."""
         angles_deg = state.angles_deg()
-        # the angle heard longest ago tells when the arm was measured
+        # the oldest of the six angles dates the measurement
         measured_s = min((each.at_s for each in state.joints_deg if each is not None), default=None)
         if angles_deg is None or measured_s is None or not is_fresh(measured_s, now_s):
             self.reset()

@@ -214,7 +214,7 @@ class Stopping:
         return self.emergency_stop.state(state, now_s, online=online, resuming=resuming)
 
     def _name_others(self) -> None:
-        """Name the arms with another offset that are heard: the stop reaches them, too."""
+        """Warn of the arms heard under other offsets: the stop reaches them, too."""
         own = self._connection.offsets.addressing.feedback_offset
         heard_s = self._connection.newest.status_heard_s
         for offset, at_s in zip(OFFSETS, heard_s, strict=True):
@@ -275,7 +275,7 @@ class Stopping:
             if self._halt_started is not None:
                 self._halt_started.close(Ending.FAILED)
 
-    # What becomes of both ---------------------------------------------------------------------
+    # The outcome of stop and halt -------------------------------------------------------------
 
     def _begin_stop(self) -> Started:
         if self._stop_started is not None:

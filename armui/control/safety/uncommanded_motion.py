@@ -32,7 +32,7 @@ class Unheld(enum.Enum):
 
 
 class MotionKind(enum.Enum):
-    """The kinds of what is seen of such an arm."""
+    """The kinds of motion that such an arm shows."""
 
     UNMEASURED = "unmeasured"
     """Whether it stands is not measured yet."""
@@ -47,10 +47,10 @@ class MotionKind(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class UncommandedMotion:
-    """A motion that no command of ours is about, and as it is shown as long as it lasts.
+    """A motion without a command of ours, with the figures shown while it lasts.
 
     Attributes:
-        kind: What is seen.
+        kind: The kind of motion.
         cause: Why it may move; ``None`` of an arm that is not heard.
         seconds: The time since it began to move, or since it was last heard.
         down_mm: How far the lowest of flange, fingertip and held object has come down meanwhile;

@@ -138,7 +138,7 @@ class Episodes(QObject):
         episode = self.under_way
         return 0.0 if episode is None else self._now_s() - episode.begin_s
 
-    # By whoever marks -------------------------------------------------------------------------
+    # For the operator and clients -------------------------------------------------------------
 
     @operation("episode.begin", "Begin an episode", why_not_begin_episode, sends=False)
     def begin(self, started: Started, task: str | None = None) -> Refusal | None:
@@ -184,7 +184,7 @@ class Episodes(QObject):
         """Begin an episode, or end the one under way: what a single key or button does."""
         return self.begin() if self.under_way is None else self.end()
 
-    # By the recorder --------------------------------------------------------------------------
+    # For the session recorder -----------------------------------------------------------------
 
     def begin_log(self, note: Callable[[Line], object], shift_s: float) -> None:
         """Mark in another log from now on.

@@ -140,7 +140,7 @@ class SessionRecorder(QObject):
         context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
-    # What there is ----------------------------------------------------------------------------
+    # State ------------------------------------------------------------------------------------
 
     @property
     def recording(self) -> bool:
@@ -194,7 +194,7 @@ class SessionRecorder(QObject):
     def _lost(self, recording: SessionRecording) -> int:
         return recording.lost + self._lane.dropped - self._dropped_before
 
-    # What the operator asks for ---------------------------------------------------------------
+    # What the operator wants ------------------------------------------------------------------
 
     def choose(self, choices: SessionChoices) -> None:
         """Take over the operator's choices; a recording under way goes on as it was begun."""
@@ -293,7 +293,7 @@ class SessionRecorder(QObject):
             self._ring.clear()
         return ended
 
-    # What happens -----------------------------------------------------------------------------
+    # Events and the collecting thread ---------------------------------------------------------
 
     def look(self) -> None:
         """Take in the events; called by its own timer, four times a second."""
@@ -315,12 +315,12 @@ class SessionRecorder(QObject):
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
-            self._ring.clear()  # another bus: its frames do not belong to those
+            self._ring.clear()  # another bus: its frames must not mix
         self._device = report.device
         self._timer.start()
 
     def _begin_collecting(self) -> Collector:
-        """Collect frames from the first device, or the first wish, on."""
+        """Collect frames, from the first device or the first request for recordings on."""
         # numpy comes with the first device: the window starts without it
 
         if self._collector is None or self._ring is None:
@@ -375,7 +375,7 @@ class SessionRecorder(QObject):
         self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
-        """Let its last frames be written; what failed is over already."""
+        """End the recording once its last frames are written; a failed one has ended already."""
         if self._episodes is not None:
             self._episodes.end_log()
         self._recording = None

@@ -55,7 +55,7 @@ def look_at_can() -> CanFacts:
         devices = tuple(
             DeviceFacts(each.interface, str(each.channel), each.serial) for each in find_devices()
         )
-    except Exception as caught:  # noqa: BLE001 - drivers of others: any may fail in any way
+    except Exception as caught:  # noqa: BLE001 - third-party drivers may raise anything
         error = str(caught) or type(caught).__name__
     kept = tuple(kept_names(_ETC))
     return replace(look_at_adapters(), devices=devices, error=error, kept=kept)
@@ -164,7 +164,7 @@ def _serials(net: Path) -> dict[str, str]:
 
 
 def _usb_serial(device: Path) -> str | None:
-    """The serial number of the USB device that a link belongs to: some folders above it."""
+    """Return the serial number of the USB device of a link, which is some folders above it."""
     try:
         place = device.resolve(strict=True)
     except OSError:
@@ -228,7 +228,7 @@ def _may_open(path: Path) -> bool:
 
 
 def _group(path: Path) -> str:
-    if sys.platform != "win32":  # which has none
+    if sys.platform != "win32":  # Windows has no such folder
         with contextlib.suppress(OSError, KeyError):
             return path.group()
     return ""

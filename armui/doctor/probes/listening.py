@@ -51,7 +51,7 @@ def listen(
         )
     try:
         bus = open_bus(device)
-    except Exception as error:  # noqa: BLE001 - drivers of others: any may fail in any way
+    except Exception as error:  # noqa: BLE001 - third-party drivers may raise anything
         reason = explain(device, error)
         return HeardFacts(
             device.interface,
@@ -98,7 +98,7 @@ def _hear(
             bus_off = bus_off or BusError.BUS_OFF in told
         elif _is_of_the_protocol(message) and len(frames) < _MOST_FRAMES:
             frame = Frame(message.arbitration_id, bytes(message.data))
-            if frame in echoes:  # some back-ends hand over what was sent
+            if frame in echoes:  # some back-ends echo sent frames
                 echoes.remove(frame)
             else:
                 frames.append(TimedFrame(clock_s(), frame))
@@ -118,7 +118,7 @@ def _is_of_the_protocol(message: can.Message) -> bool:
 
 
 def _questions() -> list[Frame]:
-    """Questions that every arm answers and that change nothing."""
+    """Return the frames of questions that every arm answers and that change nothing."""
     from armui.protocol import commands  # noqa: PLC0415 - cantools may be missing
     from armui.protocol.codec import Codec  # noqa: PLC0415 - as above
     from armui.protocol.generation import Generation  # noqa: PLC0415 - as above

@@ -31,7 +31,7 @@ _QT_WAYLAND: Final = ("Qt/plugins/platforms/libqwayland.so",)
 
 def tell_of_qt() -> None:
     """Load Qt and print its facts; runs in a process of its own."""
-    import PySide6  # noqa: PLC0415 - what is missing here is to end nothing but this process
+    import PySide6  # noqa: PLC0415 - may end this process
 
     _print("qt", PySide6.__version__)
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415 - as above
@@ -58,7 +58,7 @@ TRIALS: Final = {"qt": tell_of_qt, "opengl": tell_of_opengl}
 
 def _print(*words: str) -> None:
     sys.stdout.write(" ".join(words) + "\n")
-    sys.stdout.flush()  # before what comes next ends the process
+    sys.stdout.flush()  # the next import may end the process
 
 
 def look_at_screen() -> ScreenFacts:

@@ -59,7 +59,7 @@ class CsvTable:
                 columns.append([empty] * len(table.rows))
                 continue
             samples, which = told
-            texts = [*self._texts(record, samples), empty]  # the last one stands at -1
+            texts = [*self._texts(record, samples), empty]  # for -1, "not heard"
             picked = itemgetter(*which.tolist())(texts)
             columns.append((picked,) if len(which) == 1 else picked)
         lines = map(",".join, zip(*columns, strict=True))
@@ -73,10 +73,9 @@ class CsvTable:
         """Do nothing: no file is held."""
 
     def _texts(self, record: RecordColumns, samples: Samples) -> list[str]:
-        """Return what stands in the columns of a message, for each of its samples.
+        """Return the text of a message's cells for each of its samples.
 
-        A figure that a sample does not have, as the angle of a gripper told by its opening, is
-        blank.
+        A figure that a sample lacks is blank, as the angle of a gripper that reports its opening.
         """
         template = self._templates[record.message]
         values = [column.values(samples).tolist() for column in record.columns]

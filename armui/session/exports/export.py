@@ -185,13 +185,11 @@ def export_log(
 
 _MOST_DAMAGES_TOLD: Final = 20
 _LATER_S: Final = 1.0
-"""Reading ends when a whole piece of the log is this much later than the wanted end."""
+"""Reading ends once a whole piece of the log is this long after the wanted end."""
 
 
 @dataclass(eq=False, repr=False)
 class _Export:
-    """One export under way."""
-
     request: ExportRequest
     source: ExportSource
     tell: Callable[[ExportProgress], object]

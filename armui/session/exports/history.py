@@ -229,7 +229,7 @@ class History:
             self._samples[layout.name] = Samples(layout, rows, times_s, words, old)
 
     def _new_stops(self) -> NDArray[np.int64]:
-        """Return where every target is ended: by a stop, an abort or disabled motors."""
+        """Return the rows that end every target: a stop, an abort or disabled motors."""
         stops = []
         commands = self._samples.get("MotionCommand")
         if commands is not None:

@@ -115,7 +115,7 @@ class ExportRequest:
         end_s: The end, likewise.
         wishes: The given facts on the arm.
         replace: True if an existing file may be replaced; a dataset never is.
-        episodes: What is chosen of a dataset of LeRobot.
+        episodes: The options of a dataset of LeRobot.
     """
 
     log: Path
@@ -152,7 +152,7 @@ class ExportReport:
         without_stamp: The number of frames whose time no ROS time stamp can hold.
         damages: The first damaged places of the log.
         damage_count: The number of all damaged places.
-        notes: What else is to be known of the log.
+        notes: Further remarks on the log.
     """
 
     items: int

@@ -110,7 +110,7 @@ class LogIndex:
         marks: The marks found in the frames, in the order of time.
         damages: Damaged places, bounded.
         damage_count: The number of all damaged places.
-        notes: What is to be known of the log besides.
+        notes: Further remarks on the log.
         reversed_times: The number of frames whose time was before that of the preceding one.
         cut: The reason why the rest of the log was not read: ``"frames"``, too many, or ``"disk"``,
             it is full; "" if all was read.
@@ -176,7 +176,7 @@ class IndexedLog:
         path = column_path(self._folder, name)
         if path.stat().st_size == 0:
             return np.empty((0, *kind.shape), kind.base)
-        # seen as a plain array, of which one row costs a fraction
+        # A plain array over the file's map: reading a row of a memmap costs far more.
         with open_file(path) as file:
             flat: NDArray[Any] = np.asarray(np.memmap(file, kind.base, "r"))
         return flat.reshape(-1, *kind.shape)

@@ -81,7 +81,7 @@ REPLAY_NO_LOG = Reason(
 )
 
 
-# Times of a log that run backwards are put right.
+# Corrects times of a log that run backwards.
 
 _CLOCK_SET_S: Final = 1.0
 """A larger step back shows that the recorder's clock was set back; a smaller one, that frames were
@@ -132,7 +132,7 @@ def straightened(
 
 
 def _without_strays(own: NDArray[np.float64], steps: NDArray[np.float64]) -> NDArray[np.float64]:
-    """A single time far off both its neighbours becomes that of the frame before it."""
+    """Replace a single time far off both its neighbours with that of the frame before it."""
     ahead = (steps[:-1] > _CLOCK_SET_S) & (steps[1:] < -_CLOCK_SET_S)
     behind = (steps[:-1] < -_CLOCK_SET_S) & (steps[1:] > _CLOCK_SET_S)
     places = np.flatnonzero((ahead | behind) & (own[2:] >= own[:-2])) + 1
@@ -143,7 +143,7 @@ def _without_strays(own: NDArray[np.float64], steps: NDArray[np.float64]) -> NDA
 
 
 def _continued(own: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return where the clock was set back, what follows is moved up to the time of that moment."""
+    """Return the times, continued without a step where the recorder's clock was set back."""
     steps = np.diff(own)
     moved = np.where(steps < -_CLOCK_SET_S, -steps, 0.0)
     if moved.any():
@@ -204,7 +204,7 @@ def index_or_reason(path: Path, folder: Path) -> LogIndex | Refusal:
 
 
 def _why_not(path: Path, error: NotALogError) -> Refusal:
-    """Return what is wrong with a file that is no log, as far as its beginning tells."""
+    """Return the reason why a file is no log, as far as its name and beginning show it."""
     name = {"name": path.name}
     if isinstance(error.__cause__, OSError):
         return REPLAY_UNREADABLE(**name, text=str(error))
@@ -223,7 +223,7 @@ def _why_not(path: Path, error: NotALogError) -> Refusal:
     if path.suffix.lower() != ".gz" and beginning.startswith(_ARCHIVES):
         return REPLAY_ARCHIVE(**name)
     text = str(error).removeprefix("no CAN log: ")
-    if text.startswith("nothing in it reads") and text.endswith(" file"):  # and no more is known
+    if text.startswith("nothing in it reads") and text.endswith(" file"):  # no detail follows
         return REPLAY_NOTHING_READ(**name)
     return REPLAY_NO_LOG(**name, text=text)
 
@@ -232,8 +232,8 @@ class _Columns:
     """The files of the columns, as they grow; use it in a ``with`` statement.
 
     Attributes:
-        frames: Written so far.
-        channels: Met so far.
+        frames: The number of frames written so far.
+        channels: The channels found so far.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -264,7 +264,7 @@ class _Columns:
 
 
 def _is_disk_full(folder: Path, frames: int) -> bool:
-    """Return whether what is still to be written would leave too little to others."""
+    """Return whether writing the remaining files would leave less than :data:`SPARE_BYTES`."""
     return shutil.disk_usage(folder).free < SPARE_BYTES + frames * (4 + 8)
 
 
@@ -310,7 +310,7 @@ def _put_in_order(folder: Path) -> int:
 def _order(
     folder: Path, channels: tuple[Channel, ...], *, timed: bool
 ) -> tuple[tuple[int, ...], tuple[SessionMark, ...]]:
-    """Write the frame numbers by identifier; where each begins, and the marks."""
+    """Write the frame numbers by identifier; return where each group begins, and the marks."""
     ids, flags, places = (_read(folder, name) for name in ("ids", "flags", "channels"))
     codes = group_codes(ids, flags, places)
     known: NDArray[np.uint64] = np.unique(codes)[: _MOST_GROUPS - 1]

@@ -1,4 +1,4 @@
-"""Frames in memory as the text of a candump log, for whoever keeps them elsewhere."""
+"""Frames in memory as the text of a candump log, for example for a problem report."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def candump_text(parts: Sequence[FrameRows], base: TimeBase, channel: str) -> by
 
     Args:
         parts: In the order of time.
-        base: Of their times.
+        base: The time base of the frames.
         channel: The bus's name.
     """
     lines = CandumpFormat(0.0, channel)
@@ -31,5 +31,5 @@ def candump_text(parts: Sequence[FrameRows], base: TimeBase, channel: str) -> by
         shifted = FrameRows(table, rows.long_data)
         for begin in range(0, len(shifted), _ROWS_AT_ONCE):
             blocks.append(lines.block(shifted.part(begin, begin + _ROWS_AT_ONCE), 0))
-            time.sleep(0)  # let threads that wait for Python's lock run first
+            time.sleep(0)  # releases the GIL, so that other threads are not held up
     return b"".join(blocks)

@@ -19,18 +19,19 @@ if TYPE_CHECKING:
 
     from armui.session.recording.lane import FrameLane
 
-# The last minutes of everything on the bus, in memory; bounded.
+# Keeps the last minutes of all frames on the bus in memory, within a limit.
 
 KEPT_S: Final = 300.0
 """The time for which frames are kept in the ring."""
 MOST_BYTES: Final = 22_000_000
 """The ring's size: five minutes at 3,000 frames/s; with more traffic it reaches back less far."""
 _SLAB_ROWS: Final = 16_384
+"""The ring consists of slabs of this many frames, the oldest of which is dropped as a whole."""
 _SLAB_BYTES: Final = _SLAB_ROWS * ROW.itemsize
 _LONG_BYTES: Final = 256
 """The most memory for the data of a CAN FD frame, Python's overhead included."""
 _MOST_LONG: Final = 2_048
-"""The most such frames of a slab; those of a whole slab would be too many to drop at once."""
+"""The most CAN FD frames of a slab: a slab full of them would be too much to drop at once."""
 _LONG_AT_ONCE: Final = 512
 
 _LOG: Final = logging.getLogger(__name__)
@@ -46,7 +47,7 @@ Sink = Callable[[FrameRows], None]
 
 @dataclass(slots=True)
 class _Slab:
-    """Rows that are only ever added: whoever has seen some of them may read these for ever."""
+    """Rows that are only added, never changed: reading known ones needs no lock."""
 
     table: NDArray[Any]
     count: int = 0
@@ -107,7 +108,7 @@ class FrameRing:
         return self._slabs[-1]
 
     def _make_room(self, for_bytes: int) -> None:
-        """Drop the oldest: what is too old, and what is too much."""
+        """Drop the oldest slabs: those too old, and those beyond the memory limit."""
         with self._lock:
             slabs = self._slabs
             newest_s = slabs[-1].last_s if slabs and slabs[-1].count else None

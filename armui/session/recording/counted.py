@@ -55,7 +55,7 @@ def counts_of(marks: Sequence[SessionMark]) -> Counts:
 
 
 def _is_stopped(entry: Mapping[str, object]) -> bool:
-    """Return whether the arm says that it is stopped: found in its frames, or as an event."""
+    """Return whether a mark is the arm's report of a stop, from its frames or from an event."""
     params = entry.get("params")
     status = params.get("status") if isinstance(params, Mapping) else None
     as_event = entry.get("code") == "arm_status" and status == ArmStatusCode.EMERGENCY_STOP

@@ -41,7 +41,7 @@ class Episode:
 
 
 def episode_line(episode: Episode) -> Line:
-    """Return a line for what is known of an episode."""
+    """Return the sidecar's line of an episode."""
     return {
         "kind": KIND,
         "episode": episode.number,

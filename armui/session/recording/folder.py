@@ -132,7 +132,7 @@ def _span_s(index: Path) -> tuple[float, float] | None:
 
 
 def _parts(folder: Path, name: str, kind: RecordingFormat | None) -> list[Path]:
-    """Return the files with frames; where nobody tells their format, of the first that is there."""
+    """Return the files with frames; if their format is not named, in the first one found."""
     if kind is None:
         found = (_parts(folder, name, each) for each in RecordingFormat)
         return next((paths for paths in found if paths), [])

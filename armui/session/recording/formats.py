@@ -117,7 +117,7 @@ class BlfFormat(BlockFormat):
         filling = size % 4  # as python-can's reader and writer have it
         beyond = (at_byte + size + filling) % _PAGE
         if beyond > _PAGE - _HEAD:
-            # readers pass over what is behind the end of packed data
+            # Padding: readers ignore bytes behind the end of the packed data.
             packed += bytes(_PAGE - beyond + _ALIGNED)
             size = _HEAD + len(packed)
             filling = size % 4

@@ -94,7 +94,7 @@ class BlockFormat(Protocol):
         """Return the bytes of frames for a place in the file."""
 
 
-# What the files of a recording are called.
+# The names of a recording's files.
 #
 # A recording NAME has ``NAME.blf``, ``NAME.002.blf`` and so on, its sidecar ``NAME.armui.jsonl``
 # and its index ``NAME.armui.idx``.

@@ -32,7 +32,7 @@ class FrameLane(Listener):
     def __init__(self, most: int = MOST_WAITING) -> None:
         self._most = most
         self._batches: deque[Sequence[RecordedFrame]] = deque()
-        self._put = self._taken = 0  # each is written by one thread only
+        self._put = self._taken = 0  # without a lock: each is written by one thread only
         self.dropped = 0
 
     @property

@@ -39,7 +39,7 @@ from armui.session.text_logs import ASC, CANDUMP, read_text_log
 from armui.system.files import error_text, open_file, read_file
 from armui.system.sentence import Told
 
-# Reads single blocks of a recording of ours, without what stands before them.
+# Reads single blocks of our own recordings, without reading the file before them.
 
 _HEAD: Final = blf.OBJ_HEADER_BASE_STRUCT.size
 _CONTAINER: Final = blf.LOG_CONTAINER_STRUCT
@@ -301,7 +301,7 @@ class RecordedSession:
         """Index the blocks that a killed program had written and not indexed yet.
 
         Raises:
-            NotALogError: That is far more than it can be.
+            NotALogError: The tail is longer than a killed program can have left.
         """
         last = self._blocks[-1] if self._blocks else None
         number = 1 if last is None else last.file
@@ -344,7 +344,7 @@ class RecordedSession:
 
 
 def _opening_size(beginning: bytes, kind: RecordingFormat) -> int:
-    """Return the size of what stands in front of the first block, in bytes."""
+    """Return the size in bytes of the file's beginning, in front of the first block."""
     if kind is RecordingFormat.BLF:
         return int.from_bytes(beginning[4:8], "little") if beginning[:4] == b"LOGG" else 0
     if kind is RecordingFormat.ASC:

@@ -72,12 +72,12 @@ class SessionRecording:
 
     @property
     def name(self) -> str | None:
-        """The name, once the folder was found writable."""
+        """The recording's name; ``None`` until its folder was found writable."""
         return None if self._writer is None else self._writer.name
 
     @property
     def path(self) -> Path | None:
-        """The first file, likewise."""
+        """The recording's first file; ``None`` until it exists."""
         return None if self._writer is None else self._writer.path
 
     @property
@@ -131,10 +131,10 @@ class SessionRecording:
             due_s = time.monotonic() + BLOCK_S
             while not self._ending.is_set():
                 self._urgent.wait(max(0.0, due_s - time.monotonic()))
-                due_s = time.monotonic() + BLOCK_S  # counted from here: writing takes time, too
+                due_s = time.monotonic() + BLOCK_S  # set before writing, which takes time, too
                 self._write(writer)
             self._write(writer)
-        except Exception as error:  # noqa: BLE001 - a disk, a format: what is written stays readable
+        except Exception as error:  # noqa: BLE001 - any error: the written part stays readable
             self.failure = error
             if not isinstance(error, OSError):
                 _LOG.exception("A recording has failed")
@@ -189,7 +189,7 @@ def write_at_once(
         for rows in parts:
             for begin in range(0, len(rows), _ROWS_OF_A_BLOCK):
                 writer.write(rows.part(begin, begin + _ROWS_OF_A_BLOCK))
-                time.sleep(0)  # let threads that wait for Python's lock run first
+                time.sleep(0)  # releases the GIL, so that other threads are not held up
         writer.write(joined([]), lines)
     except OSError as error:
         failure = {"failure": str(error)}

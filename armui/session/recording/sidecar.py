@@ -129,7 +129,7 @@ def marks_of(lines: Sequence[Mapping[str, Any]]) -> list[SessionMark]:
 
 
 def _shift_s(first: Mapping[str, Any]) -> float:
-    """From the program's clock to log time."""
+    """Return the shift from the program's clock to log time, from the session's line."""
     unix_s, steady_s = number_in(first, "unix_s"), number_in(first, "steady_s")
     return 0.0 if unix_s is None or steady_s is None else unix_s - steady_s
 

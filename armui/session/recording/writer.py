@@ -48,7 +48,7 @@ class DiskFile:
         self.path = path
         self.size = 0
         self._file = open_file(path, "xb")
-        self._handle = self._file.fileno()  # nothing waits in a buffer
+        self._handle = self._file.fileno()  # unbuffered: a killed program loses no bytes
         self._to_disk_s = time.monotonic()
         self._syncing: threading.Thread | None = None
         self._sync_error: OSError | None = None
@@ -138,7 +138,7 @@ class DiskFile:
             left = left[os.write(self._handle, left) :]
 
     def _check_there(self) -> None:
-        """A file that was deleted takes bytes without a word, where nobody can read them.
+        """Check that the file has not been deleted: the system would accept further bytes silently.
 
         Raises:
             OSError: It was deleted.
@@ -192,6 +192,7 @@ class RecordingPlan:
 
 _MOST_NAMES: Final = 1_000
 _CLOCK_JUMP_S: Final = 1.0
+"""A smaller difference between the clocks is drift, and not noted."""
 
 
 class RecordingWriter:
@@ -301,7 +302,7 @@ class RecordingWriter:
         raise AssertionError("count() never ends")
 
     def _begun(self, name: str, first: bytes) -> DiskFile:
-        """Return a new file with its first bytes; none is left behind that has not got them.
+        """Return a new file with its first bytes; it is removed if these cannot be written.
 
         Raises:
             OSError: It cannot be made, or not be written.
@@ -381,7 +382,7 @@ class RecordingWriter:
             self._file.append(self._format.closing())
 
     def _clock_line(self) -> list[Line]:
-        """Say it when the time of day is set while it is recorded."""
+        """Return a line for the sidecar if the time of day was set during the recording."""
         base = self._plan.base
         off_s = self._time_of_day() - base.unix_s - (self._clock() - base.steady_s)
         if abs(off_s - self._clock_off_s) < _CLOCK_JUMP_S:

@@ -102,7 +102,7 @@ class FaultyLink:
 
 
 def _without(frames: list[Frame], never: Collection[int], lost: Counter[int]) -> list[Frame]:
-    """Return the frames that get through; `lost` counts down those that will not, by identifier."""
+    """Return the frames that are not lost; `lost` counts down the ones to lose, by identifier."""
     if not (never or lost):
         return frames
     kept: list[Frame] = []

@@ -80,7 +80,7 @@ class LostReference:
             self._index = None
 
     def reported_deg(self, positions_deg: SixValues) -> SixValues:
-        """Return what the arm reports in the place of these angles."""
+        """Return the angles that the arm reports instead of these."""
         if self._index is None:
             return positions_deg
         away_deg = self._excursion_deg * (min(1.0, self._elapsed_s / _AWAY_S) - self._share_back)

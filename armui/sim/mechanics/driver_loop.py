@@ -139,7 +139,7 @@ class DriverLoop:
         return there, speeds_deg_s
 
     def _look_at_frame(self, stops: Sequence[JointLimits]) -> None:
-        """Takes over zeros and stops where they are new."""
+        """Converts zeros and stops to radians if they have changed."""
         zeros_deg = tuple(self._weight.zeros_deg)
         if self._frame and self._frame[0] == zeros_deg and self._frame[1] is stops:
             return

@@ -32,11 +32,11 @@ _SPREAD_C: Final = 2.0
 _HOTTEST_C: Final = 40.0
 _WARMTH_C_PER_A2: Final = 2.0
 _DRIVER_SHARE: Final = 0.6
-"""The warming of a driver as a part of its motor's."""
+"""The rise in temperature of a driver, as a share of its motor's."""
 _WARMING_TIME_S: Final = 90.0
 _OVERHEATED_C: Final = 95.0
 _WARMER_C: Final = 25.0
-"""A joint that runs hot is as much warmer, which raises no alarm."""
+"""A joint that runs hot is warmer by this much, which is below the alarm."""
 
 
 class Drivers:

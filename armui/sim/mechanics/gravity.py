@@ -71,7 +71,7 @@ class Weight:
         return self._body(payload_kg).gravity_torques_nm(joints_rad, self.down)
 
     def _body(self, payload_kg: float) -> RigidBody:
-        """Return the arm with a load; to hash its links takes as long as to find the torques."""
+        """Return the arm with a load; kept by load, as hashing the links takes too long."""
         body = self._bodies.get(payload_kg)
         if body is None:
             body = self._bodies[payload_kg] = _body(self.links, payload_kg)

@@ -33,7 +33,9 @@ _ONES: Final = [np.eye(size) for size in range(7)]
 
 _AT_STOP_RAD: Final = 1e-9
 _FREE_TRIES: Final = 4
+"""After so many corrections no standing joint may start to slide any more, so that they end."""
 _SATURATION_TRIES: Final = 2
+"""The rounds in which saturated torques are fitted to the speeds that result from them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +138,7 @@ class JointDynamics:
     def _step(
         self, interval: _Interval, joints: Values, speeds: Values, stops: tuple[Values, Values]
     ) -> tuple[Values, Values]:
-        """One step; a driver that is asked for more than its motor has gives what it has."""
+        """Return joints and speeds after one step; drivers saturate at their motors' torque."""
         low, high = stops
         given = interval.torques(joints, speeds)
         for _ in range(_SATURATION_TRIES):
@@ -161,15 +163,15 @@ class JointDynamics:
     def _solve(
         self, interval: _Interval, joints: Values, speeds: Values, stops: tuple[Values, Values]
     ) -> Values:
-        """Return the speeds after a step, with as much dry friction and stop as they call for.
+        """Return the speeds after a step with dry friction and stops, as bounded impulses.
 
-        Each joint stands, or slides one way. What turns out not to fit is changed until all fit; a
-        joint that cannot decide stands for this step.
+        Each joint either stands or slides one way. The assumption is corrected until it fits all
+        joints; a joint that keeps changing stands in this step.
         """
         right = interval.right(joints, speeds)
         dry = interval.dt_s * self._dry
         at_low, at_high = joints <= stops[0] + _AT_STOP_RAD, joints >= stops[1] - _AT_STOP_RAD
-        most = np.where(at_low, math.inf, dry)  # of the impulses that a standing joint can bear
+        most = np.where(at_low, math.inf, dry)  # impulse that holds a joint still
         least = np.where(at_high, -math.inf, -dry)
         sliding = np.sign(speeds) * interval.driven
         sliding[(at_low & (sliding < 0)) | (at_high & (sliding > 0))] = 0.0
@@ -240,7 +242,7 @@ class _Interval:
         return _Interval(self._mass, self._load, fixed, self._viscous, self.dt_s)
 
     def hit(self, speeds: Values, hits: npt.NDArray[np.intp]) -> Values:
-        """Return the speeds after joints have hit their stops: these stop, others are struck."""
+        """Return the speeds after joints have hit their stops: these stop, and jolt the others."""
         blows = _inverse_of(self._mass, self.driven)[:, hits]
         struck: Values = speeds - blows @ np.linalg.solve(blows[hits], speeds[hits])
         return struck

@@ -320,7 +320,7 @@ class Mechanics:
         self._motion.place(self._without_sag(self.positions_deg))
 
     def _take_up(self) -> None:
-        """Lets the planner drive the joints that gave way or followed setpoints."""
+        """Hands joints that followed setpoints over to the planner, with their present motion."""
         if self._loop:
             self._loop.void()
             self._motion.carry(self._without_sag(self.positions_deg), self.speeds_deg_s, STANDSTILL)
@@ -329,11 +329,11 @@ class Mechanics:
         return self.powered[index] and index not in self._limp and index not in self._loop
 
     def _without_sag(self, positions_deg: SixValues) -> SixValues:
-        """Return the setpoints at which the joints stand there."""
+        """Return the setpoints with which the joints, with their sag, stand at these positions."""
         return self._shifted(positions_deg, -1.0)
 
     def _behind(self, setpoints_deg: SixValues) -> SixValues:
-        """Return where the joints stand that are driven to setpoints: off by their sag and drag."""
+        """Return the positions of joints driven to setpoints: off by their sag and drag."""
         there = self._shifted(setpoints_deg, 1.0)
         if self._hand is not None or not any(self.drag_nm):
             return there
@@ -343,7 +343,7 @@ class Mechanics:
         )
 
     def _shifted(self, positions_deg: SixValues, sign: float) -> SixValues:
-        """Angles moved by the sag of the joints that are held."""
+        """Return the angles moved by the sag of the joints that are held."""
         if not any(self._sag_deg):
             return positions_deg
         return tuple(
@@ -352,7 +352,7 @@ class Mechanics:
         )
 
     def _driven_and_limp(self) -> SixValues:
-        """Return where the plan has the joints it drives, and where the limp ones are."""
+        """Return the planned positions of driven joints, and the present ones of limp joints."""
         driven = self._behind(self._motion.positions_deg)
         return tuple(
             self.positions_deg[i] if i in self._limp else driven[i] for i in range(JOINT_COUNT)
@@ -362,7 +362,7 @@ class Mechanics:
         self.powered = (*self.powered[:index], on, *self.powered[index + 1 :])
 
     def _read_motion(self) -> None:
-        """Takes over what the plan says of the joints that are not limp."""
+        """Takes over the plan's motion for the joints that are not limp."""
         if self._limp:
             self.positions_deg = self._driven_and_limp()
         else:

@@ -131,7 +131,7 @@ class JointMotion:
             self.place(self._end_deg or plan.at_time(plan.duration)[0])
 
     def _request(self, accelerations_deg_s2: Sequence[float]) -> InputParameter:
-        """Return what any plan starts from.
+        """Return the planner's input with the present state, common to all plans.
 
         While the joints turn, the acceleration of their plan stays available: with less of it
         they could not stop before a target that lies at a limit.
@@ -175,6 +175,6 @@ class JointMotion:
         plan = Trajectory(JOINT_COUNT)
         try:
             result = self._planner.calculate(request, plan)
-        except (RuckigError, ValueError):  # ValueError: a result code the binding has no name for
+        except (RuckigError, ValueError):  # ValueError: an unnamed result code
             return None
         return plan if result in (Result.Working, Result.Finished) else None

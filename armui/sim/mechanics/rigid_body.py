@@ -116,13 +116,13 @@ class RigidBody:
     ) -> tuple[float, ...]:
         """Return the torque with which gravity turns each joint; positive towards larger angles.
 
-        It is asked for with each step of an arm that moves: 7 µs in plain numbers, 50 by arrays.
+        It is computed at each step of a moving arm: 7 µs with plain floats, 50 µs with arrays.
 
         Args:
             joints_rad: (6,) joint angles.
             down: The direction of gravity, a unit vector in the base frame.
         """
-        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = _AXES  # of the link's frame, in the base's
+        (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = _AXES  # the link's axes in the base frame
         x = y = z = 0.0
         joints = []
         for angle, row in zip(joints_rad, self._rows, strict=True):
@@ -210,19 +210,19 @@ class RigidBody:
         return turns[:, :, 2], places, turns, flat, centres
 
     def _levers(self, axes: Values, places: Values, centres: Values) -> Values:
-        """(link, joint, 3): how each centre of mass moves with each joint, in m/rad."""
+        """Return (link, joint, 3): how each centre of mass moves with each joint, in m/rad."""
         arms = (centres[:, None, :] - places[None, :, :])[..., None]
         lever: Values = np.matmul(_crosses(axes)[None], arms)[..., 0] * self._moved
         return lever
 
     def _tips(self) -> Values:
-        """(6, 3): from each joint to the next, in the link's own frame; the last is the flange."""
+        """Return (6, 3) m: from each joint to the next in the link's own frame; the last is 0."""
         tips = np.zeros((len(self._steps), 3))
         tips[:-1] = self._steps[1:, :, 0]
         return tips
 
     def _hang(self, payload_kg: float) -> Values:
-        """Adds a point mass at the flange; the inertia that adds about the new centre of mass."""
+        """Adds a point mass at the flange; returns the inertia it adds about the new centre."""
         mass_kg = float(self._masses[-1])
         centre = self._centres[-1, :, 0].copy()
         whole_kg = mass_kg + payload_kg
@@ -234,7 +234,7 @@ class RigidBody:
 
 
 def _crosses(vectors: Values) -> Values:
-    """(n, 3, 3) matrices of the cross products with (n, 3) vectors."""
+    """Return (n, 3, 3) matrices of the cross products with (n, 3) vectors."""
     matrices: Values = (vectors @ _CROSS).reshape(-1, 3, 3)
     return matrices
 

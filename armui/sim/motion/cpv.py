@@ -120,9 +120,9 @@ class JointProfile:
         self.angle = there
 
     def _approach(self, goal: float, top: float, slowing: float, dt_s: float) -> float:
-        """Return the speed at the end of this step with which it can still stand at the goal."""
+        """Return the highest speed after this step from which it can still stop at the goal."""
         way = goal - self.angle
-        # what is left after this step, at the mean of both speeds, has to be enough to brake in
+        # The way left after this step, gone at the mean of both speeds, must suffice for braking.
         left = max(abs(way) - math.copysign(self.speed, self.speed * way) * dt_s / 2.0, 0.0)
         reach = slowing * dt_s / 2.0
         speed = math.sqrt(reach * reach + 2.0 * slowing * left) - reach

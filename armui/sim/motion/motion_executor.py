@@ -16,10 +16,7 @@ from armui.sim.parameters.settings import ArmSettingsRecord
 
 Leg = SixValues | PathMotion | Callable[[SixValues], PathMotion | None]
 """A part of a motion: six target angles, a path, or a function that plans one from the present
-joint angles. It returns None if there is no path left.
-
-A planner that returns None says that there is no way left to go.
-"""
+joint angles. It returns None if the arm has no way left to go."""
 
 _NOTHING: Final = object()
 
@@ -199,7 +196,7 @@ class MotionExecutor:
         self._mechanics.brake(self._settings.accelerations_deg_s2)
 
     def _conditions(self) -> tuple[object, ...]:
-        """Return what the outcome of an order depends on."""
+        """Return the facts an order's outcome depends on: once they change, it is tried again."""
         settings = self._settings
         return (
             self._mechanics.positions_deg,

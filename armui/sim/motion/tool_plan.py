@@ -88,7 +88,7 @@ class PathProfile:
                     return
 
     def _phase(self) -> tuple[float, float]:
-        """Return the acceleration of now, and how long it lasts."""
+        """Return the present acceleration, and how long it lasts."""
         most, speed, top = self._most, self.speed, self._top_speed
         left = self._end - self.position
         if speed > top * (1.0 + _ROUNDING):

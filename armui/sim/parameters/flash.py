@@ -102,14 +102,14 @@ def _settings(record: Fields) -> ArmSettingsRecord:
 
 
 def _drag_assistance(record: Fields) -> tuple[int, ...]:
-    """An older text has none: it is the factory's."""
+    """Return the drag assistance in a text; an older text has none: then the factory's."""
     if "drag_assistance" not in record:
         return ArmSettingsRecord().drag_assistance
     return record.wholes("drag_assistance", len(JOINTS), range(_MOST_ASSISTANCE + 1))
 
 
 def _teaching(fields: Fields) -> HandleSettings:
-    """A field that is not there is newer than the text: it has the factory's value."""
+    """Return the teaching settings in a text; a missing field, newer than it, is the factory's."""
     signals, factory = signal_names(HandleSettings), HandleSettings()._asdict()
     kinds = {kind.signal: kind for kind in KINDS.values() if kind.group is Group.TEACHING}
     return HandleSettings(

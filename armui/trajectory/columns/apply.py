@@ -120,9 +120,9 @@ def _read(
 def _read_one_by_one(
     text: str, sheet: Sheet, places: dict[ColumnQuantity, int], note: int | None
 ) -> tuple[Array, list[str], list[int]]:
-    """The same where cells hold texts, or nothing, or one is wrong."""
+    """Return the same as `_read`, cell by cell: some hold texts or nothing, or one is wrong."""
     wanted = list(places.values())
-    plain = sheet.decimal == "." and "_" not in text  # which Python takes for part of a number
+    plain = sheet.decimal == "." and "_" not in text  # Python accepts "_" in numbers
     figures: list[list[float]] = []
     notes: list[str] = []
     lines: list[int] = []
@@ -155,7 +155,7 @@ def _figure(
 
 
 def _samples(found: dict[ColumnQuantity, Array]) -> Array:
-    """Samples (n, 8) as `Recording` wants them, from 0 s up."""
+    """Return samples (n, 8) as `Recording` needs them, with times from 0 s."""
     count = len(found[ColumnQuantity.J1])
     samples = np.full((count, COLUMN_COUNT), np.nan)
     times = found.get(ColumnQuantity.TIME)
@@ -174,8 +174,7 @@ def _points(
     lines: Sequence[int],
     mapping: ColumnMapping,
 ) -> tuple[Waypoint, ...]:
-    """Return a point for each row."""
-    move = MoveMode.MOVE_J if mapping.move is None else mapping.move  # MOVE P is 0
+    move = MoveMode.MOVE_J if mapping.move is None else mapping.move  # not `or`: MOVE P is 0
     targets = np.column_stack([found[name] for name in (JOINTS if move.name == "MOVE_J" else POSE)])
     empty = np.full(len(targets), np.nan)
     options = (found.get(name, empty).tolist() for name in _MAY_BE_EMPTY)
@@ -187,7 +186,7 @@ def _points(
         point = Waypoint(
             move,
             tuple(target),
-            # a broken figure stays as it is, for the check to name
+            # The check reports a speed that is no whole number.
             speed_percent=int(percent) if percent == int(percent) else percent,
             dwell_s=0.0 if math.isnan(dwell) else dwell,
             gripper=None if math.isnan(opening) else GripperOpening(opening),

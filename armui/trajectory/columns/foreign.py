@@ -1,7 +1,7 @@
 """Turns the plain forms of other programs into tables: JSON, YAML, ROS, arrays in cells.
 
-Their places are records of names and figures; a record becomes a row, nested names become titles
-like ``position.joint1``. What the figures are is then told by the titles, as of any other table.
+Their points are records of names and figures; a record becomes a row, nested names become titles
+like ``position.joint1``. The meaning of the figures then follows from the titles, as in any table.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def as_table(text: str) -> Table | None:
     if _STRUCTURED.match(text):
         try:
             records = _places(_parsed(text), {})
-        except RecursionError:  # nested as no list of places is
+        except RecursionError:  # nested far too deep for points
             return None
         return None if not records else Table(_written(_rows(records)), True)
     return _of_cells(text)
@@ -103,7 +103,7 @@ def _parsed(text: str) -> Any:
 
 
 def _places(data: Any, around: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return the first list of records that hold places, each with the names that stand around."""
+    """Return the first list of records with points, each with unit and names from around it."""
     if isinstance(data, dict):
         columns = [value for value in data.values() if _is_numbers(value)]
         if len(columns) >= _LEAST and len(set(map(len, columns))) == 1 and len(columns[0]) > 1:
@@ -145,7 +145,7 @@ def _is_names(value: Any) -> bool:
 
 
 def _rows(records: Sequence[dict[str, Any]]) -> list[Sequence[Any]]:
-    """Return titles and rows; waits between places become theirs.
+    """Return titles and rows; a wait between two points becomes a cell of the first one.
 
     Raises:
         TrajectoryFileError: A record between them is neither.
@@ -168,7 +168,7 @@ def _rows(records: Sequence[dict[str, Any]]) -> list[Sequence[Any]]:
                 place[title] = place.get(title, 0) + value
             continue
         texts = [str(value) for key, value in record.items() if key in ("type", "command", "cmd")]
-        if texts or record is not records[-1]:  # the last one may be cut off
+        if texts or record is not records[-1]:  # the last may be torn
             unknown[texts[0] if texts else "?"] = None
     if unknown:
         raise broken(FILE_COMMANDS, text=", ".join(unknown))

@@ -50,10 +50,10 @@ _JOINT: Final = re.compile(
 _ELEMENT: Final = re.compile(
     r"(?<![a-z0-9])(positions?|pos|states?|actions?|qpos|angles?|joints?)_?(\d{1,2})$"
 )
-"""One figure of an array of them: the six joints, perhaps the gripper."""
+"""The title of an element of an array that holds the six joints, perhaps the gripper."""
 _GRIPPER: Final = re.compile(r"(?<![a-z0-9])(grippers?|grip|jaw|finger|opening|夹爪)")
 _ROBOT_AXIS: Final = re.compile(r"a([1-6])")
-"""The joints of other makers' robots; where joints are named otherwise, it may be accelerations."""
+"""Titles of other makers' joints; accelerations, where other titles name the joints."""
 _PREFIX: Final = re.compile(
     r"(?:tool|tcp|eef|ee|endeffector|end|flange|tip|robot|arm|pose|position|pos|cartesian|cart"
     r"|target|actual|measured|工具|末端|法兰|位姿|位置|目标|实际)+(?=.)"
@@ -62,7 +62,7 @@ _PREFIX: Final = re.compile(
 _OF_PLACE: Final = re.compile(
     r"pos(?:ition)?s?|angles?|val(?:ue)?s?|opening|width|distance|stroke|rad|角度?|位置|值|开口|行程"
 )
-"""Words behind the name of a joint that say that it is its place."""
+"""Words behind the name of a joint for its position."""
 _OF_ROLE: Final = re.compile(
     r"actual|measured|target|cmd|command(?:ed)?|state|feedback|fb|ref|desired|goal|实际|目标"
 )
@@ -70,7 +70,7 @@ _OF_OTHER: Final = re.compile(
     r"vel|speed|effort|torque|tau|curr|amp|temp|acc|err|delta|diff|min|max|limit|std|gripper|finger"
     r"|hand|name|status|code|volt|force|enable|速度|力矩|电流|温度|电压"
 )
-"""Words that say that a figure is none of a joint's place."""
+"""Words that show that a figure is no position of a joint."""
 
 _UNIT_WORDS: Final = {
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds", "秒"), "s"),
@@ -102,13 +102,16 @@ _UNIT_GUESSED: Final = 0.8
 _PLACE_ONLY: Final = 0.5
 
 _FULL_TURN_RAD: Final = 2 * math.pi + 0.01
+"""A larger angle cannot be in radians; the rest is rounding."""
 _FULL_TURN_DEG: Final = 360.0
 _BEYOND_DEG: Final = 20.0
 """Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
 _FAR_BEYOND_DEG: Final = 45.0
 """A target in plain degrees may be wrong, which the check tells better than a question."""
 _AT_REST_DEG: Final = 2.5
+"""An arm in its rest pose lies up to 2° outside its limits."""
 _NORMAL: Final = 100.5
+"""Normalised figures are within ±100, but for rounding."""
 _NARROWEST_M: Final = 0.001
 _LONGEST_M: Final = 2.0
 _WIDEST_M: Final = 0.2
@@ -155,7 +158,7 @@ def guess_columns(header: Sequence[str], figures: Sequence[Figures]) -> tuple[Gu
 def _custom(
     header: Sequence[str], quantities: Sequence[ColumnQuantity | None], figures: Sequence[Figures]
 ) -> str:
-    """Return the unit of joints that programs write whose titles are such.
+    """Return the unit in which programs with such titles write joints, "" if not known.
 
     ROS and the maker's tools name joints ``joint1`` and write radians; so do those that write the
     gripper in metres. LeRobot writes ``joint1.pos`` or arrays, normalised to ±100 unless it was
@@ -278,7 +281,7 @@ def _joints(parts: Sequence[tuple[str, str]]) -> dict[int, ColumnQuantity]:
     best = max(groups, key=lambda each: len(groups[each].keys() & set(range(7))), default=None)
     numbers = {} if best is None else groups[best]
     is_array = best is not None and bool(best[0])
-    first = 0 if 0 in numbers and (is_array or 6 not in numbers) else 1  # some count from 0
+    first = 0 if 0 in numbers and (is_array or 6 not in numbers) else 1  # may count from 0
     quantities = {
         numbers[first + index]: joint
         for index, joint in enumerate(JOINTS)
@@ -300,7 +303,7 @@ def _joints(parts: Sequence[tuple[str, str]]) -> dict[int, ColumnQuantity]:
 
 
 def _group(before: str, behind: str) -> tuple[str, ...] | None:
-    """Return whose place a title tells by the words around its name; ``None`` for no place."""
+    """Return the arm or role that a title of a position names; ``None`` if it is no position."""
     words = [word for word in behind.split("_") if word and not _OF_PLACE.fullmatch(word)]
     if _OF_OTHER.search(before) or not all(map(_OF_ROLE.fullmatch, words)):
         return None
@@ -308,14 +311,14 @@ def _group(before: str, behind: str) -> tuple[str, ...] | None:
 
 
 def _of_pose(title: str) -> ColumnQuantity | None:
-    """Return what a title says of a pose that says first whose it is, as «tool_x» does."""
+    """Return the pose figure of a title that begins with the part, as «tool_x» does."""
     prefix = _PREFIX.match(title)
     quantity = None if prefix is None else _BY_TITLE.get(title[prefix.end() :])
     return quantity if quantity in POSE else None
 
 
 def _parts(title: str) -> tuple[str, str]:
-    """Return a title without its unit, in small letters, its words parted by ``_``; and the unit.
+    """Return a title without its unit, in lower case, its words separated by ``_``; and the unit.
 
     A unit in brackets wins, wherever it stands; "" is none.
     """
@@ -337,7 +340,7 @@ def _are_waits(values: Sequence[float]) -> bool:
 
 
 def _by_place(figures: Sequence[Figures]) -> list[ColumnQuantity | None]:
-    """Return the usual order: perhaps a time, six values, perhaps the gripper."""
+    """Return guesses by the usual order: perhaps a time, six values, perhaps the gripper."""
     numeric = [index for index, column in enumerate(figures) if _numbers(column)]
     quantities: list[ColumnQuantity | None] = [None] * len(figures)
     if len(numeric) > len(JOINTS):

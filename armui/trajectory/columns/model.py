@@ -96,8 +96,8 @@ class Guess:
 
     `confidence` is 1 if the title names quantity and unit, less if one of them was guessed from the
     figures, 0 without a clue. `titled_unit` is the unit named in the title, whatever the column is;
-    "" for none. `figures` are some of the column's. `custom` is the unit that programs which name
-    columns so write, "" where it is not known.
+    "" for none. `figures` are some of the column's. `custom` is the usual unit of programs that
+    name columns so, "" where it is not known.
     """
 
     column: TableColumn | None

@@ -41,7 +41,7 @@ def _value(event: Any, events: Iterator[yaml.Event]) -> Any:
     """Return the value that begins with an event, and take the others of it.
 
     Raises:
-        YAMLError: It is no YAML, or has aliases, a few of which may stand for millions, or tags.
+        YAMLError: It is no YAML, or has tags or aliases; a few aliases can expand to millions.
     """
     if isinstance(event, yaml.AliasEvent) or event.tag is not None:
         raise yaml.YAMLError
@@ -58,7 +58,7 @@ def _value(event: Any, events: Iterator[yaml.Event]) -> Any:
 
 
 def _scalar(text: str) -> Any:
-    """Return what stands without quotation marks: a number, a word or a text."""
+    """Return the value of a scalar without quotation marks: a number, a word or a text."""
     try:
         return int(text)
     except ValueError:

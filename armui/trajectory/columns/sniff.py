@@ -102,7 +102,7 @@ def _styles(dialect: Dialect) -> list[tuple[str, str]]:
 
 
 def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...], ...]:
-    """Return the first rows, up to one that cannot be parted: a full read will say so."""
+    """Return the first rows, up to one that cannot be split; a full read reports that one."""
     shown: list[tuple[str, ...]] = []
     with contextlib.suppress(TrajectoryFileError):
         for _line, cells in islice(table(text, style.delimiter, first_line), _PREVIEW):
@@ -111,9 +111,9 @@ def _preview(text: str, style: _Style, first_line: int) -> tuple[tuple[str, ...]
 
 
 def _spread(lines: Sequence[str]) -> list[str]:
-    """Some lines from everywhere, in their order, without comments and empty ones.
+    """Return some lines of all parts of the text, without comments and empty ones.
 
-    Of very long lines fewer: they say as much, and take as long.
+    Fewer lines are taken if they are very long, to limit the time.
     """
     step = max(1, len(lines) // _LOOKED_AT)
     found: list[str] = []

@@ -31,7 +31,7 @@ SPEED_PERCENT: Final = 100
 """The speed of points that tell none, as of those made here: the operator's speed is the slider."""
 _LOOKED_AT_BYTES: Final = 4096
 _MANY: Final = 0.3
-"""The part of the bytes at even or odd places that is zero in figures written in UTF-16."""
+"""The share of zero bytes at even or odd places above which a text counts as UTF-16."""
 
 
 class Encoding(StrEnum):
@@ -98,7 +98,7 @@ def decode_as(data: bytes, encoding: Encoding) -> str:
 
 
 def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
-    """Raise the error for the character that follows a text."""
+    """Raise the error for the first wrong character, which is the one after the decoded text."""
     lines = before.removeprefix("\ufeff").splitlines(keepends=True)
     line, column = max(1, len(lines)), len(lines[-1]) + 1 if lines else 1
     if lines and lines[-1].endswith(("\n", "\r")):
@@ -160,7 +160,7 @@ def _read(file_name: str, data: bytes, encoding: Encoding | None, dialect: Diale
 
 
 def _sniff_plain(text: str, dialect: Dialect) -> Sheet:
-    """Return the layout of the table in a text; records that hold no places are none."""
+    """Return the layout of the table in a text; an error if it holds records without points."""
     try:
         sheet = sniff(text, dialect)
     except TrajectoryFileError as error:

@@ -44,10 +44,10 @@ __all__ = [
 
 _WRITERS: Final[dict[str, Callable[[Content], bytes]]] = {
     ".log": lambda content: log_file.write(content).encode(),
-    # the mark at the beginning tells a spreadsheet that this is UTF-8
+    # The byte order mark makes spreadsheets read the file as UTF-8.
     ".csv": lambda content: b"\xef\xbb\xbf" + csv_file.write(content).encode(),
     ".json": lambda content: json_file.write(content).encode(),
-    # as .log, which desktops take for any program's
+    # The format of .log under a suffix that desktops do not assign to other programs.
     ".armui": lambda content: log_file.write(content).encode(),
 }
 SUFFIXES: Final = tuple(_WRITERS)
@@ -90,7 +90,7 @@ def load(path: Path) -> Content:
 
 
 def load_with_origin(path: Path) -> tuple[Content, PosesOf]:
-    """Return what :func:`load` returns, and what the poses in the file are of.
+    """Return the result of :func:`load`, and the tool and frames of the poses in the file.
 
     Raises:
         TrajectoryFileError: As in :func:`load`.
@@ -139,7 +139,7 @@ def _bytes_of(path: Path) -> bytes:
 
 @contextlib.contextmanager
 def _named(path: Path) -> Iterator[None]:
-    """Gives what goes wrong the name of the file."""
+    """Add the file's name to errors raised inside."""
     try:
         yield
     except TrajectoryFileError as error:
@@ -178,13 +178,13 @@ def _written_for(content: Trajectory, poses_of: PosesOf) -> Trajectory:
     tool = poses_of.tool
     if tool is None or not any(tool.pose) or all(point.is_joint for point in content.points):
         return replace(content, poses_of=PosesOf(None, frames))
-    # so fine that close to RY 90° turns are read back as they were, too
+    # With so many decimals turns are read back unchanged even close to RY 90°.
     points = tuple(ToolPoints(tool.pose, KEPT_DECIMALS).all_shown(content.points))
     return replace(content, points=points, poses_of=PosesOf(tool, frames))
 
 
 def _kept(content: Content) -> Content:
-    """Return what was read with poses of the flange, whatever they were of in the file.
+    """Return content that was read, with its poses converted to those of the flange.
 
     Raises:
         TrajectoryFileError: A pose is possible for no arm.

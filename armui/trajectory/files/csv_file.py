@@ -95,7 +95,7 @@ TITLES: Final = (
     *(*_OPENING, *_ANGLE, *_LIGHT, _LAMP, "note"),
 )
 _WHOLE_DEFAULT: Final = 30
-"""The speed in percent of a row of a file that tells none."""
+"""The speed in percent of a row that names none."""
 
 _BEYOND_DEG: Final = 20.0
 """Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
@@ -215,7 +215,7 @@ def _titles(line: str) -> set[str]:
 
 
 def _delimiter(line: str) -> str:
-    """A spreadsheet of some countries parts cells by semicolons."""
+    """Return the separator of cells: spreadsheets of some countries write semicolons."""
     return max(",;\t", key=line.count)
 
 
@@ -319,7 +319,7 @@ def write_cells(point: Waypoint, titles: Sequence[str] = TITLES) -> list[str]:
 
 
 class Columns:
-    """The column of each title.
+    """Maps titles to columns.
 
     Raises:
         TrajectoryFileError: A title is unknown or there twice.
@@ -379,7 +379,7 @@ def read_cells(
 
 
 class _Row:
-    """One row, its cells asked for by title."""
+    """One row, whose cells are read by title."""
 
     def __init__(self, columns: Columns, cells: Sequence[str], line: int) -> None:
         self._columns = columns
@@ -460,6 +460,6 @@ def read_maker_csv(text: str, name: str) -> Content:
         samples[:, 1:GRIPPER] > high + _BEYOND_DEG
     )
     recording = verified(Recording(name, samples=samples), lines)
-    if beyond.any():  # no radians, as it seems: the operator tells what they are
+    if beyond.any():  # hardly radians: the operator must choose the unit
         raise broken(FILE_KIND_UNKNOWN, lines[int(beyond.any(axis=1).argmax())])
     return recording

@@ -245,7 +245,7 @@ def place_of(text: str, path: Path) -> tuple[int, int]:
 
 
 def _enter(text: str, position: int, step: str | int, scan: _Scan) -> int | None:
-    """Return where the member of an object or list begins; of two with one name the last."""
+    """Return the position of a member's value in an object or list; of equal names the last."""
     is_object = isinstance(step, str)
     if text[position : position + 1] != ("{" if is_object else "["):
         return None

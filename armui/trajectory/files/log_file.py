@@ -260,7 +260,7 @@ def _is_sample(line: str) -> bool:
 
 
 def _read_one_by_one(lines: list[str], begin: int, fields: dict[str, Any]) -> Content:
-    """The same where only some samples hold the gripper, or one is wrong."""
+    """Return the same, line by line: only some samples hold the gripper, or one is wrong."""
     rows: list[list[float]] = []
     numbers: list[int] = []
     for line, text in enumerate(lines[begin:], start=begin + 1):

@@ -58,7 +58,7 @@ Token = tuple[str, int]
 """A word of a line, and the column where it begins, from 1."""
 
 _UNTOLD_PERCENT: Final = 30
-"""The speed in percent of a line that tells none."""
+"""The speed in percent of a line that names none."""
 
 
 def write_point(point: Waypoint) -> str:
@@ -125,7 +125,7 @@ def read_point(text: str, line: int, comments: tuple[str, ...]) -> Waypoint:
 
 
 def _split(text: str, line: int) -> tuple[list[Token], str | None]:
-    """Return the words of a line and its comment; blanks in quotation marks part nothing."""
+    """Return the words of a line and its comment; blanks in quotation marks belong to a word."""
     words: list[Token] = []
     position = 0
     for match in _TOKEN.finditer(text):

@@ -32,7 +32,7 @@ CELL_VERSION: Final = 2
 instead of taking their coordinates for those of the base.
 """
 TOOL_VERSION: Final = 3
-"""That of a file which says what its poses are of: a tool, and where the frames stood."""
+"""The version of a file that names the tool of its poses, and where the user frames were."""
 VERSIONS: Final = (VERSION, CELL_VERSION, TOOL_VERSION)
 
 LARGEST_BYTES: Final = 256 * 1024 * 1024

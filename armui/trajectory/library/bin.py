@@ -24,7 +24,7 @@ KEPT: Final = timedelta(days=30)
 """The time for which a deleted file is kept."""
 
 _GRACE: Final = timedelta(days=7)
-"""A file found to be too old is only marked, and removed when it is found so again this much later:
+"""A file found to be too old is only marked at first, and removed when it still is after this time:
 the clock may have been wrong when it was deleted, or be wrong now.
 """
 _DUE: Final = ".due"
@@ -176,7 +176,7 @@ class Bin:
         self._tidy(place)
 
     def remove_outdated(self) -> None:
-        """Delete permanently what is too old, if it was already marked as such some days before."""
+        """Delete outdated files permanently, if they were marked as such some days before."""
         now = datetime.now(UTC)
         with contextlib.suppress(OSError):
             for when, room in list(self._rooms()):
@@ -196,7 +196,7 @@ class Bin:
     def _tidy(self, place: Path) -> None:
         """Remove the folder of a deletion once nothing of it is left."""
         room = self._folder / place.relative_to(self._folder).parts[0]
-        with contextlib.suppress(OSError):  # something else is still there
+        with contextlib.suppress(OSError):  # it is not empty
             if not _files(room):
                 (room / _DUE).unlink(missing_ok=True)
             _remove_empty(room)
@@ -218,7 +218,7 @@ def _due_since(room: Path, now: datetime) -> datetime:
 
 
 def _files(room: Path) -> list[Path]:
-    """Return what is in a folder and its sub-folders; nothing if somebody has removed it."""
+    """Return the files of a folder and its sub-folders; none if it has been removed."""
     try:
         found = list(room.iterdir())
         for folder in filter(is_real_folder, list(found)):
@@ -229,7 +229,7 @@ def _files(room: Path) -> list[Path]:
 
 
 def _remove_empty(room: Path) -> None:
-    """Remove the folder of a deletion with its empty sub-folders; what is not empty stays."""
+    """Remove the folder of a deletion with its sub-folders, as far as they are empty."""
     with contextlib.suppress(OSError):
         for folder in filter(is_real_folder, list(room.iterdir())):
             with contextlib.suppress(OSError):

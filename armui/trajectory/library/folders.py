@@ -1,7 +1,7 @@
 """The sub-folders of the library on the disk: one level of them, and real ones only.
 
-A link or a Windows junction is none: it may lead out of the library. Names that begin with a dot
-are the library's own: bin, index, recordings.
+A link or a Windows junction does not count as one: it may lead out of the library. Names that begin
+with a dot are reserved for the library's own data: bin, index, recordings.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def is_real_folder(path: Path) -> bool:
 
 
 def _is_listed(item: os.DirEntry[str]) -> bool:
-    """Return whether it is a sub-folder; one out of reach is what the folder around it says."""
+    """Return whether it is a sub-folder; one that cannot be read, by its folder's listing."""
     try:
         return is_real_folder(Path(item.path))
     except OSError:

@@ -313,7 +313,7 @@ class LibraryHistory:
         return tuple(names)
 
     def _forget(self, back: Deleted) -> None:
-        """Take what is back out of the steps; the rest of each step can still be undone."""
+        """Remove restored files from the steps; the rest of each step can still be undone."""
         places = {place for _, place in back.places}
         steps: list[Step] = []
         for step in self._steps:

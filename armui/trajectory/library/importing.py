@@ -67,7 +67,7 @@ class Imported:
     frames: tuple[str, ...] = ()
 
     def differences(self, tool: Values, cell: Cell | None) -> Sequence[Refusal]:
-        """Return what of its poses is otherwise here than where the file was written.
+        """Return the differences in tool and frames between here and where the file was written.
 
         Args:
             tool: The tool in force.

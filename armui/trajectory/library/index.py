@@ -69,7 +69,7 @@ class IndexEntry:
             `speeds_of`.
         estimated_s: How long it will take at its own speed, see `estimate_s`; ``None`` where that
             is not known.
-        estimated_for: The same of the estimate; "": nobody has.
+        estimated_for: The same for the estimate; "" if none was made.
         frames: The user frames that its points name.
         folder: The sub-folder its file lies in; "" for the library's folder itself. It is not kept
             in the cache: the file's place says it.
@@ -164,7 +164,7 @@ class Index:
             return
         with contextlib.suppress(*_BROKEN):
             theirs = _unpack(json.loads(read_file(self._path, _MOST_BYTES)))
-            ours = self._entries if self._changed else {}  # what could not be written as yet
+            ours = self._entries if self._changed else {}  # changes not written so far
             self._entries = {**self._entries, **theirs, **ours}
 
     def _stamp(self) -> Stamp | None:
@@ -250,7 +250,7 @@ def _pack(entry: IndexEntry) -> dict[str, Any]:
 
 
 def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
-    """Return the entries of the file; if anything is wrong it raises, and none count."""
+    """Return the entries of the file; any damage raises an error, and none are used."""
     if data["version"] != _VERSION:
         return {}
     entries = {}
@@ -259,7 +259,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
         fields["modified"] = datetime.fromisoformat(fields["modified"])
         ran_with, speeds = fields.pop("ran_with"), fields.pop("speeds")
         if "frames" not in fields:
-            continue  # of an older program: its file is read once more
+            continue  # from an older program: read its file again
         frames = tuple(fields.pop("frames"))
         entry = IndexEntry(
             **fields,
@@ -268,7 +268,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
             frames=frames,
         )
         if entry.kind == "points":
-            entry = replace(entry, length_s=None)  # once as checked, from where the arm stood
+            entry = replace(entry, length_s=None)  # a former check's: void elsewhere
         if damage is not None:
             code, params, line, column, name = damage
             _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 FIRST_RUN_PERCENT: Final = 20
-"""The most at which a trajectory begins that never ran, because nobody has seen its path yet."""
+"""The highest speed, in %, at which a trajectory begins that has never run."""
 MOST_CYCLES: Final = 9999
 
 
@@ -36,7 +36,7 @@ class RunOptions:
 
 
 def begin_percent(percent: int, *, seen: bool) -> int:
-    """Return the speed at which a run begins: lowered where nobody has seen its path.
+    """Return the speed at which a run begins: lowered if it has never run.
 
     Args:
         percent: The operator's speed.

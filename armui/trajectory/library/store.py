@@ -91,7 +91,7 @@ _BIN: Final = ".deleted"
 _RECORDINGS: Final = ".recordings"
 _ROOM_FOR_NUMBER: Final = 8
 _MOMENT_S: Final = 0.2
-"""So long others wait for estimates of trajectories."""
+"""The longest time that estimates hold up other users of the library."""
 
 
 class LibraryError(Exception):
@@ -157,7 +157,8 @@ class Library:
         self._met: dict[str, Stamp] = {}
         """The files as they were loaded to be edited, by the name of what they hold."""
         self._bases: dict[str, datetime] = {}
-        """When what was loaded to be edited, or saved, had been changed: drafts are based on it."""
+        """The time of change of each trajectory when it was loaded to be edited or saved; drafts
+        refer to it."""
 
     def tidy(self) -> None:
         """Remove half-written files of killed programs, and what was deleted long ago."""
@@ -472,7 +473,7 @@ class Library:
         free = self.free_name(name)
         folder = self._place_for(file.rpartition("/")[0])
         if free != name:
-            with contextlib.suppress(TrajectoryFileError):  # a damaged one stays as it is
+            with contextlib.suppress(TrajectoryFileError):  # a damaged draft is left unchanged
                 self._write(replace(files.load(place), name=free), None, folder)
                 self._bin.remove(place)
                 return free
@@ -480,9 +481,9 @@ class Library:
         return next(name for name, kept in self._scan().items() if kept.path == path)
 
     def _place_for(self, folder: str) -> str:
-        """Return the sub-folder to bring something back to, made anew if it is gone.
+        """Return the sub-folder to restore something to, created again if it is gone.
 
-        Where something else has its name by now, that is the library's folder itself.
+        If something else has taken its name, it is the library's folder itself.
 
         Raises:
             OSError: It cannot be made.
@@ -701,7 +702,7 @@ class Library:
             return self._file_store.scan()
 
     def _verify(self, content: Content) -> None:
-        """Make sure that what is kept can be read again.
+        """Ensure that the saved content can be read again.
 
         Raises:
             LibraryError: It could not.

@@ -136,7 +136,7 @@ class FileStore:
         return stamp
 
     def note_moved(self, moves: Iterable[tuple[Path, Path]]) -> None:
-        """Let what is known of files follow them to where they were moved.
+        """Move the entries of files that were moved.
 
         Args:
             moves: The old and the new path of each.
@@ -178,7 +178,7 @@ class FileStore:
         return found
 
     def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
-        """Return what is known of a file; it is opened only where it is not the one known."""
+        """Return the entry of a file, which is opened only if it is new or has changed."""
         key = self._key(path)
         entry = self._index.entry(key, stamp)
         if entry is None:
@@ -212,7 +212,7 @@ def _files(folder: Path) -> Iterator[tuple[Path, Stamp]]:
                     yield Path(item.path), Stamp.of(Path(item.path).stat())
             except FileNotFoundError:
                 continue  # another program has deleted it
-            except OSError:  # it is listed as one that cannot be read
+            except OSError:  # listed as unreadable
                 yield Path(item.path), _UNKNOWN
 
 
@@ -229,7 +229,8 @@ def _is_gone(path: Path) -> bool:
 def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
     """Return the files by name; a copy with a name already taken goes by its file's name.
 
-    One in a sub-folder tells that beside it. What lies in the library's folder itself comes first.
+    One in a sub-folder has the folder's name appended. Files directly in the library's folder come
+    first.
     """
     named: dict[str, StoredFile] = {}
     found = sorted(
@@ -253,7 +254,7 @@ def _by_name(found: list[StoredFile]) -> dict[str, StoredFile]:
 
 
 def _copy_name(kept: StoredFile) -> str:
-    """Return what a copy is called whose own name is taken."""
+    """Return a name for a copy whose own name is taken."""
     if not kept.entry.folder:
         return _name_of(kept.path)
     folder = shown_folder(kept.entry.folder)
@@ -261,7 +262,7 @@ def _copy_name(kept: StoredFile) -> str:
 
 
 def _name_of(path: Path) -> str:
-    """Return what a file's name says, as far as it can be shown."""
+    """Return the name made of a file's own name, as far as that can be shown."""
     return path.stem.encode(errors="replace").decode()
 
 

@@ -57,14 +57,15 @@ FLOOR_MM: Final = 0.0
 _ROUNDED_DEG: Final = 0.01
 """The error of a joint angle that may come from rounding a pose to the steps of the bus."""
 _SPEED_SLACK: Final = 1.02
+"""Speeds computed from samples may exceed a limit by this factor: samples carry jitter."""
 JUMP_DEG: Final = 5.0
 """A joint that turns this far between two samples shows that they were not recorded in one go."""
 _STROKE_SLACK_MM: Final = 1.0
 """A gripper at its stop may measure this much more than its stroke."""
 _TREMBLES_DEG: Final = 0.5
-"""A lying arm is measured no further than this from where it lies."""
+"""The measured angles of an arm at rest waver by no more than this."""
 _SAMPLES_ON_END: Final = 50
-"""So many samples of a recording are looked at together: half a second at 100 Hz."""
+"""The number of samples of a recording that are examined together: half a second at 100 Hz."""
 
 FRAME_UNKNOWN = FindingKind(
     "frame_unknown",
@@ -190,7 +191,7 @@ _KINDS: Final = {
     AREA: AREA_TOO_NEAR,
     OWN_BODY: LINKS_COLLIDE,
 }
-"""What is said of a rule that is broken."""
+"""The kind of finding for each broken rule."""
 _OF_A_WAY: Final = (PATH_BEYOND_LIMIT, PATH_OUT_OF_REACH, PATH_SINGULAR)
 """Findings that depend on where the arm comes from, and not on a point alone."""
 
@@ -220,7 +221,7 @@ class CheckRequest:
         cycles: The number of cycles; 0 runs until it is ended.
         area: The work area of this arm with what it carries; ``None`` if it may go anywhere.
         lowest_mm: The least height that the operator has chosen, or ``None``.
-        carried: What its points have the hand hold, as far as the cell knows it, by name.
+        carried: The objects that its points name as held, as far as the cell has them.
     """
 
     content: Content
@@ -310,9 +311,10 @@ def _timed(found: Finding, recording: Recording) -> Finding:
 
 
 def _without_rest(recording: Recording, request: CheckRequest) -> tuple[int, int]:
-    """Return where the samples begin and end that do not lie outside the limits, as at rest.
+    """Return the range of samples left without those at either end that lie at rest outside limits.
 
-    Only an arm that is at rest has come to its last samples so; its hand lies on its base, too.
+    Samples at the end count as such only if the arm has come to its rest pose, with the hand on its
+    base.
     """
     angles = recording.joints_deg
     inside = _are_inside(angles, request.arm)
@@ -325,7 +327,7 @@ def _without_rest(recording: Recording, request: CheckRequest) -> tuple[int, int
 
 
 def _lying_on_end(angles: Array, inside: Flags, request: CheckRequest, near_mm: float) -> int:
-    """Return with how many of some poses an arm lies outside; it may tremble about its limits."""
+    """Return how many first poses lie outside the limits at rest; some may waver about them."""
     if inside[0]:
         return 0
     stirs = np.abs(angles - angles[0]).max(axis=1) > _TREMBLES_DEG
@@ -349,7 +351,7 @@ def _as_at_rest(joints_deg: Sequence[float], arm: ArmModel) -> bool:
 
 
 def _left_out(recording: Recording, begin: int, end: int) -> Iterator[Finding]:
-    """Yield what is told of samples that are not replayed."""
+    """Yield the findings about samples that are not replayed."""
     times_s = recording.times_s
     if begin:
         yield replace(
@@ -364,7 +366,7 @@ def _left_out(recording: Recording, begin: int, end: int) -> Iterator[Finding]:
 def _led_inside(
     content: Trajectory, request: CheckRequest
 ) -> tuple[Trajectory, tuple[Finding, ...]]:
-    """Return points with those inside that lie outside as at rest, where a press leads an arm."""
+    """Return the points with those at rest outside the limits moved inside, and the findings."""
     arm, found, points = request.arm, [], list(content.points)
     for row, point in enumerate(points):
         if (
@@ -398,7 +400,7 @@ def _rank(finding: Finding) -> tuple[bool, bool, int]:
 def _findings(
     content: Content, path: PlannedPath, request: CheckRequest, profile: ReplayProfile | None
 ) -> list[Finding]:
-    """Return what speaks against a path, by row; what concerns the whole comes first."""
+    """Return the findings on a path by row, those on the whole first."""
     arm = request.arm
     findings = list(path.problems)
     if content.taught_on and arm.kind and content.taught_on != arm.kind:
@@ -474,7 +476,7 @@ def _legs(content: Content, path: PlannedPath) -> list[_Leg]:
 def _carried_legs(
     content: Content, path: PlannedPath, request: CheckRequest
 ) -> Iterator[tuple[Carried, list[_Leg]]]:
-    """Yield what the hand holds, and on which parts of the path; where it changes, both."""
+    """Yield each held object with the parts of the path on which it is held; at a change, both."""
     holds = [point.holds for point in content.points] if isinstance(content, Trajectory) else []
     now, legs = Carried(request.arm.held, request.area), _legs(content, path)
     if all(name is None for name in holds):
@@ -532,7 +534,7 @@ def _broken_legs(
 ) -> Iterator[tuple[_Leg, Excess]]:
     """Yield which parts of a path break a rule, and the worst place of each.
 
-    Of samples of a recording on end the worst is enough.
+    Of successive samples of a recording only the worst is yielded.
     """
     planned = 0
     found: list[tuple[int, Excess]] = []
@@ -541,7 +543,8 @@ def _broken_legs(
         breach = _broken_approach(ways[0], rule)
         found += [] if breach is None else [(0, breach)]
     found += [(planned + place, breach) for place, breach in breaches(ways[planned:], rule)]
-    # where a part begins is told of the end of the one before, its own end all the same
+    # A breach where a part begins is reported at the end of the part before; its own end is checked
+    # for itself.
     for which, (place, breach) in reversed([*enumerate(found)]):
         leg = legs[place]
         if leg.begin in {0, leg.end} or leg.nearest(path, breach.joints_deg) > leg.begin:
@@ -555,9 +558,9 @@ def _broken_legs(
 
 
 def _broken_approach(way: Way, rule: Rule) -> Excess | None:
-    """Return where the way from where the arm stands breaks a rule: at its end, if that does.
+    """Return where the way from the arm's present place breaks a rule, preferably at its end.
 
-    An arm that is found outside may come back on it, but a point lies inside.
+    An arm that is outside already may come back on this way, but its end must lie inside.
     """
     if not rule.bounds:
         return None
@@ -590,12 +593,12 @@ def _on_leg(path: PlannedPath, leg: _Leg, breach: Excess, found: Finding) -> Fin
 
 
 def _is_recorded(path: PlannedPath) -> bool:
-    """Return whether a path is that of a recording: nobody planned how long it takes."""
+    """Return whether a path is that of a recording: such a path has no planned durations."""
     return path.expected_s == ()
 
 
 def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
-    """Mark what is about the way from where the arm is to the first point of a trajectory."""
+    """Mark the findings on the way from the arm's present place to the first point."""
     first = int(path.rows[0]) if len(path.rows) else 0
     return [
         replace(one, approach=True)
@@ -619,7 +622,7 @@ def _grippers(points: Sequence[Waypoint], arm: ArmModel) -> Iterator[Finding]:
 def _arcs_at_limits(
     path: PlannedPath, moves: Sequence[MoveMode], arm: ArmModel
 ) -> Iterator[Finding]:
-    """The arm is told where an arc begins by a rounded pose, and goes there within its limits."""
+    """Yield a finding for each arc beginning at a joint's limit: rounded, it may lie beyond."""
     arcs = _by_row(path, [move is MoveMode.MOVE_C for move in moves])
     low, high = bounds(arm)
     for index in np.flatnonzero(path.begins & arcs).tolist():
@@ -666,7 +669,7 @@ def _far_from_start(path: PlannedPath) -> Iterator[Finding]:
 
 
 def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Finding]:
-    """Motions of the joints: the arm keeps the tool's limit on lines and arcs only."""
+    """Yield findings for joint motions; on lines and arcs the arm keeps the tool's limit."""
     if arm.end_limits is None:
         return
     most = 1e3 * arm.end_limits.max_linear_speed_m_s
@@ -681,7 +684,7 @@ def _tool_too_fast(path: PlannedPath, free: Flags, arm: ArmModel) -> Iterator[Fi
 
 
 def _worst(mask: Flags, badness: Array, path: PlannedPath) -> Iterable[int]:
-    """The worst sample of each way to a point that is marked; of a recording, of each run of them.
+    """Return the worst marked sample on each way to a point, in a recording of each run of them.
 
     Those of an earlier cycle come first.
     """
@@ -720,13 +723,13 @@ def _at(path: PlannedPath, index: int, found: Finding) -> Finding:
 def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterator[Finding]:
     """Check the samples, at the speed the path was planned with.
 
-    Of samples on end with the same problem, the first is named.
+    Of successive samples with the same problem, the first is named.
     """
     if len(recording.samples) < 2:
         yield EMPTY()
         return
     joints_deg = recording.joints_deg
-    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # behind them is the way back
+    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # without the way back
     for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
         speeds = turning_speeds(times_s, angles)
         fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s

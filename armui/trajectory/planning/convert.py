@@ -27,7 +27,7 @@ CONVERT_OUT_OF_REACH = Reason(
 
 
 _AS_WRITTEN: Final = 0.002
-"""Poses stand in files and tables to 0.001 mm and 0.001°."""
+"""A pose within this error is the same: files and tables have 0.001 mm and 0.001°."""
 
 
 def to_pose(

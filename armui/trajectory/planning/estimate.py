@@ -79,7 +79,7 @@ def estimates_s(
 
 
 def _lasting_s(points: tuple[Waypoint, ...], arm: ArmModel, speed_factor: float) -> float | None:
-    """Return how long all points but the first take, dwells included; the arm stands at that."""
+    """Return the duration of all points but the first, at which the arm stands; with dwells."""
     begins = points[0]
     # The arm stands at the first point already; a line to it, from anywhere, could not be planned.
     if begins.move in {MoveMode.MOVE_L, MoveMode.MOVE_C}:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Severity(enum.Enum):
-    """The weight of a finding: may the operator run the trajectory all the same?"""
+    """The weight of a finding: whether the operator may run the trajectory in spite of it."""
 
     ERROR = "error"
     """The arm would refuse, stop or hit itself: the trajectory must not be run."""
@@ -62,7 +62,7 @@ class Finding:
         approach: True if the way from the arm's present pose is at fault, and not the point in
             the row.
         cycle: The first cycle in which it happens.
-        contact: Where the arm touches, if that is what was found.
+        contact: The place where the arm touches something, if that was found.
         at_s: When it happens in a recording; ``None`` for a trajectory of points.
     """
 

@@ -1,4 +1,4 @@
-"""Points on their way to the clipboard and from it: shown for a tool, kept for the flange."""
+"""Copies points to the clipboard and pastes them, between the tool shown and the flange kept."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def kept_from(
         text: The text from the clipboard.
         like: The kind of motion of rows that do not name one.
         shown: The tool whose poses the table shows.
-        told: The tool that the clipboard names; ``None``: its poses are of the one that is shown.
+        told: The tool that the clipboard names; ``None`` if its poses are of the one shown.
         limits: Those of the six joints, for angles that do not come from a table of points.
     """
     try:

@@ -125,7 +125,7 @@ def sampled_path(
 
 
 def _speeds(times_s: Array, places_mm: Array) -> Array:
-    """(n,) the mean of the speeds before and after each place."""
+    """Return (n,) the means of the speeds before and after each place."""
     gone, spent = np.linalg.norm(np.diff(places_mm, axis=0), axis=1), np.diff(times_s)
     moving = spent > 0.0
     between = np.where(moving, gone / np.where(moving, spent, 1.0), 0.0)

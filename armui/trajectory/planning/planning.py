@@ -278,10 +278,10 @@ def _paths(
 
 
 def _arc(start: Matrix, middle: Matrix, end: Matrix) -> Arc:
-    """Return an arc that stays about the same where its points are known to a rounding only.
+    """Return an arc through three poses, if rounding them cannot change it much.
 
-    The arm is told where it stands as it measures it. Of two points upon one another the rounding
-    would say which way round the arc goes.
+    The arc begins at the pose the arm measures. With two points almost in one place, rounding alone
+    would decide in which direction the arc runs.
 
     Raises:
         ArcError: There is no such arc.
@@ -295,7 +295,7 @@ def _arc(start: Matrix, middle: Matrix, end: Matrix) -> Arc:
 
 
 def _kept(moves: list[PlannedToolMoves], paths: Paths) -> tuple[list[PlannedToolMoves], Paths]:
-    """Return what begins where it did before, and the paths that are left to follow."""
+    """Return the planned moves whose start is unchanged, and the paths still to be followed."""
     kept = []
     left = np.ones(len(paths.stops), dtype=bool)
     for group in moves:
@@ -320,7 +320,7 @@ def _out_of_reach(table: Stops, arm: ArmModel, stop: int) -> Finding:
 
 
 def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
-    """Return what keeps lines and arcs from being followed."""
+    """Return the reasons why lines and arcs cannot be followed, by stop."""
     found = {}
     steps = group.joints_deg.shape[1] - 1
     for index in np.flatnonzero(group.broken >= 0).tolist():
@@ -339,15 +339,15 @@ def _broken(group: PlannedToolMoves) -> dict[int, Finding]:
 def _compare(
     route: Route, moves: list[PlannedToolMoves], followed: dict[int, tuple[Joints, Joints]]
 ) -> int | None:
-    """Return the first line or arc that does not end where the route goes on; note where it does.
+    """Return the first line or arc that ends elsewhere than the route continues; note its real end.
 
-    ``None``: each of them ends there.
+    Returns ``None`` if all of them end where the route continues.
     """
     first: int | None = None
     for group in moves:
         ends = group.joints_deg[:, -1]
         expected = route.ends_deg[group.stops]
-        off = ~(np.abs(ends - expected) <= _SAME_DEG).all(axis=1)  # NaN is off too
+        off = ~(np.abs(ends - expected) <= _SAME_DEG).all(axis=1)  # true for NaN, too
         for index in np.flatnonzero(off & (group.broken < 0)).tolist():
             stop = int(group.stops[index])
             first = stop if first is None else min(first, stop)
@@ -357,7 +357,7 @@ def _compare(
 
 
 def _behind(points: Sequence[Waypoint], problems: dict[int, Finding]) -> dict[int, Finding]:
-    """Return lines and arcs that would begin where the arm does not come to."""
+    """Return findings for lines and arcs that begin at a stop which the arm cannot reach."""
     left_out: dict[int, Finding] = {}
     for stop, point in enumerate(points, start=1):
         before = problems.get(stop - 1) or left_out.get(stop - 1)

@@ -115,7 +115,7 @@ def choose(
         table: Its stops.
         arm: The arm.
         skipped: Stops that cannot be reached: the arm does not move for them.
-        followed: By stop, the joints a tool move was followed from, and to.
+        followed: By stop, the joints at begin and end of a tool move that was followed.
     """
     count = len(points) + 1
     route = Route(np.full(count, -1), np.full((count, 6), math.nan), [], {})
@@ -159,7 +159,7 @@ def _nearest(
 ) -> tuple[Joints | None, Joints | None]:
     """Return the nearest way to a pose, of those within the limits if there is one.
 
-    And another one that is about as near: joints that stand a little elsewhere might take it.
+    Return also another way about as near, which slightly different joint angles could lead to.
     """
     if table.stretched[stop]:
         return _nearest_stretched(table.goals[stop], joints, arm), None
@@ -181,7 +181,7 @@ def _nearest(
 
 
 def _nearest_stretched(goal: Array, joints: Joints, arm: ArmModel) -> Joints | None:
-    """The same with a wrist that leaves a joint free: it stays where it is."""
+    """Return the nearest way with a singular wrist: the joint left free keeps its angle."""
     low, high = bounds(arm)
     ways = nearest_first(arm.kinematics.geometry, goal, joints)
     inside = [way for way in ways if (low <= way).all() and (way <= high).all()]

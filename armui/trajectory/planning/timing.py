@@ -75,13 +75,13 @@ def plan_path(
 
 @dataclass(frozen=True, slots=True)
 class _Motions:
-    """From stop to stop, in the order they are run, those left out left out.
+    """The motions from stop to stop in the order of the run, without those left out.
 
     Attributes:
         rows: (m,) the points they lead to.
-        starts_deg, ends_deg: (m, 6).
-        lasting_s, even_s: (m,) without the dwell; without ramps, too.
-        counts: (m,) how many samples show each, both ends among them.
+        starts_deg, ends_deg: (m, 6) the joint angles at both ends.
+        lasting_s, even_s: (m,) the durations without dwells; `even_s` also without ramps.
+        counts: (m,) the number of samples of each, both ends included.
     """
 
     rows: Whole
@@ -111,11 +111,11 @@ class _Samples:
 def _joined(
     legs: Sequence[Leg], endless: Finding | None, arm: ArmModel, shares: Array, dwells_s: Array
 ) -> PlannedPath:
-    """Return all parts of the way, one behind the other.
+    """Return the path made of all parts of the run.
 
     Args:
         legs: The parts.
-        endless: What was found of the cycles as a whole.
+        endless: The finding on the cycles as a whole, if any.
         arm: The arm.
         shares: (points,) of the highest speed.
         dwells_s: (points,) how long the arm stays.
@@ -164,7 +164,7 @@ def _sampled(plan: Plan, arm: ArmModel, shares: Array, dwells_s: Array) -> _Samp
     motions = _motions(plan, arm, shares)
     _, accelerations = _limits(arm)
     dwells_s = dwells_s[motions.rows]
-    # one sample more holds the end of a dwell
+    # one more sample marks the end of a dwell
     counts = motions.counts + (dwells_s > 0.0)
     firsts = np.cumsum(counts) - counts
     begins_s = np.cumsum(motions.lasting_s + dwells_s) - motions.lasting_s - dwells_s
@@ -254,7 +254,7 @@ def _replay(
 ) -> PlannedPath:
     """Return the approach to the first sample, then the samples in their time.
 
-    And, for another cycle, the way back to the first.
+    For further cycles the way back to the first sample is appended.
     """
     samples = recording.joints_deg
     if not len(samples):
@@ -276,7 +276,7 @@ def _replay(
 
 
 def _approach(start_deg: Array, first_deg: Array, arm: ArmModel) -> tuple[Array, Array]:
-    """Return times and joints of the slow way to the first sample; (1, 6) each end."""
+    """Return times and joints of the slow way to the first sample; both ends are (1, 6)."""
     lasting_s, _, counts = _joint_moves(
         start_deg, first_deg, np.array([APPROACH_PERCENT / 100.0]), arm
     )

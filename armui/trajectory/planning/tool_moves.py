@@ -155,7 +155,7 @@ def plan_tool_moves(
 
 
 def _followed(paths: Paths, arm: ArmModel, steps: int, units: Array) -> PlannedToolMoves:
-    """Moves whose joints and troubles are known, and their pace not yet."""
+    """Return moves with their joint angles and broken places, but without a pace."""
     shares = np.linspace(0.0, 1.0, steps + 1)
     joints = follow(arm.kinematics.geometry, paths.poses(shares), paths.starts_deg)
     lost = np.isnan(joints[:, 1:, 0])
@@ -171,7 +171,7 @@ def _followed(paths: Paths, arm: ArmModel, steps: int, units: Array) -> PlannedT
 
 
 def _paced(moves: PlannedToolMoves, paths: Paths, arm: ArmModel) -> PlannedToolMoves:
-    """The same moves with their pace."""
+    """Return the moves with their speeds and accelerations."""
     good = np.flatnonzero(moves.broken < 0)
     speeds, accelerations = np.zeros(len(moves.stops)), np.zeros(len(moves.stops))
     if not len(good):
@@ -188,7 +188,7 @@ def _paced(moves: PlannedToolMoves, paths: Paths, arm: ArmModel) -> PlannedToolM
 
 
 def _tool_demand(moves: PlannedToolMoves, paths: Paths, arm: ArmModel) -> Demand:
-    """Of the tool: even on a line, the most of it on an arc."""
+    """Return the tool's demand: constant along a line, the maximum along an arc."""
     end = arm.end_limits
     if end is None:
         raise ValueError("an arm that has not told the limits of its tool")
@@ -218,7 +218,7 @@ def _steps(wanted: Array) -> Whole:
 
 
 def _groups(steps: Whole) -> Iterator[tuple[int, Whole]]:
-    """Indices that have the same number of steps, not more of them than memory holds with ease."""
+    """Yield each number of steps with its indices, in groups of bounded memory."""
     groups: dict[int, list[int]] = defaultdict(list)
     for index, count in enumerate(steps.tolist()):
         groups[count].append(index)
@@ -229,7 +229,7 @@ def _groups(steps: Whole) -> Iterator[tuple[int, Whole]]:
 
 
 def _uneven(joints_deg: Array) -> Flags:
-    """(m,) whether joints turn so fast, or bend so suddenly, that the steps are too wide."""
+    """Return (m,) true if joints turn so fast or change so suddenly that the steps are too wide."""
     bends = np.nan_to_num(np.abs(np.diff(joints_deg, n=2, axis=1)).max(axis=2))
     sharpest, mean = bends.max(axis=1), bends.mean(axis=1)
     sharp = (sharpest > _SHARP * mean) & (sharpest > JITTER_DEG)

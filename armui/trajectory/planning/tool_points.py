@@ -18,10 +18,10 @@ from armui.trajectory.points.edits import FigureQuery
 from armui.trajectory.points.program import POSE_NAMES, Values, Waypoint
 
 _TURNS: Final = 3
-"""Where the angles of a pose begin."""
+"""The index at which the angles of a pose begin."""
 _SHOWN_DECIMALS: Final = 6
 KEPT_DECIMALS: Final = 9
-"""So much finer that figures are shown as they were typed, at any length of a tool."""
+"""The decimals of poses that are kept: enough to show figures as they were typed, for any tool."""
 
 
 class ToolPoints:
@@ -35,11 +35,11 @@ class ToolPoints:
     def __init__(self, tool: Values = NO_TOOL, decimals: int = _SHOWN_DECIMALS) -> None:
         self.tool = tool
         self._decimals = decimals
-        self._shown: dict[Values, Values] = {}  # by the pose of the flange; as typed, if it was
+        self._shown: dict[Values, Values] = {}  # what is shown, by the flange's pose
 
     @property
     def is_flange(self) -> bool:
-        """True without a tool: what is shown is what is kept."""
+        """True without a tool: points are shown as they are kept."""
         return not any(self.tool)
 
     def shown(self, point: Waypoint) -> Waypoint:
@@ -102,7 +102,7 @@ class ToolPoints:
             figures = np.degrees(turns[place - _TURNS]())
         found = np.abs(figures.round(_SHOWN_DECIMALS) - query.value) <= query.tolerance
         for index, target in enumerate(targets):
-            shown = self._shown.get(target)  # where it was typed, it may be written otherwise
+            shown = self._shown.get(target)  # it may have been typed in another notation
             if shown is not None:
                 found[index] = abs(shown[place] - query.value) <= query.tolerance
         return [rows[index] for index in np.flatnonzero(found)]
@@ -116,7 +116,7 @@ class ToolPoints:
 
 
 def rounded(point: Waypoint) -> Waypoint:
-    """Return a point that was worked out from figures with more decimals."""
+    """Return a point that was computed, with its figures rounded for display."""
     if point.is_joint:
         return point
     target, *middle = (

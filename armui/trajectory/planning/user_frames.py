@@ -132,6 +132,6 @@ def pose_in_frame(pose: Sequence[float], name: str, frames: Frames) -> Values:
 
 
 def _carried(ways: Matrix, poses: Sequence[Values]) -> list[Values]:
-    """Return poses carried by a transform each."""
+    """Return (n, 6) poses, each moved by its 4×4 transform."""
     rows = (ways @ pose_to_matrix(np.array(poses)))[:, :3].reshape(-1, 12)
     return [tuple(rows_to_pose(each)) for each in rows.tolist()]

@@ -28,9 +28,9 @@ from armui.trajectory.points.program import (
 )
 
 IN_FRAME: Final = "@"
-"""It parts the kind of motion from the user frame of a point, as in ``MOVE L@Table``."""
+"""The separator between the kind of motion and the user frame, as in ``MOVE L@Table``."""
 HOLDS: Final = "holds="
-"""It stands before the name of what the hand holds from a point on; before none: nothing."""
+"""The prefix of the held object's name from a point on; without a name nothing is held."""
 
 _PARTING: Final = re.compile(r"[\s;,，；/]+")
 _UNIT: Final = re.compile(r"\s*(?:°|deg|mm|%|s)$")

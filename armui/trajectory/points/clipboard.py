@@ -32,7 +32,7 @@ _MOVES: Final = {
 }
 _NO_POSE: Final = (0.0,) * VALUE_COUNT
 _OF_TOOL: Final = "TCP "
-"""It stands before a row whose pose is a tool's; a program that knows of none refuses the row."""
+"""The prefix of a row whose pose is a tool's; programs without tools then refuse the row."""
 
 
 def to_text(points: Sequence[Waypoint], *, of_tool: bool = False) -> str:
@@ -144,8 +144,8 @@ def _read_row(line: str, number: int, like: MoveMode) -> Waypoint:
     )
     rest = cells[1 + VALUE_COUNT :]
     if len(rest) < len(PointColumn) - len(VALUES) - 1 and _is_figure(rest[:1]):
-        rest = ["", *rest]  # a spreadsheet's rows have no column of middle poses
-    # an arc needs some middle before its cell is read; without one it is none
+        rest = ["", *rest]  # rows of a spreadsheet lack the column of the middle pose
+    # a placeholder until the middle pose's cell is read
     middle = _NO_POSE if move is MoveMode.MOVE_C else None
     point = Waypoint(move, target, middle, frame=frame.strip())
     if middle is not None and not (rest and rest[0]):

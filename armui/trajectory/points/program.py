@@ -66,7 +66,7 @@ LONGEST_NAME: Final = 200
 ANGLE: Final = Range(-360.0, 360.0, "°")
 PLACE: Final = Range(-2000.0, 2000.0, "mm")
 FAR_PLACE: Final = Range(-12000.0, 12000.0, "mm")
-"""That in a user frame, whose origin may be 5 m away along each axis of the base."""
+"""The range in a user frame, whose origin may be 5 m away along each axis of the base."""
 JOINT_NAMES: Final = ("J1", "J2", "J3", "J4", "J5", "J6")
 POSE_NAMES: Final = ("X", "Y", "Z", "RX", "RY", "RZ")
 RANGES: Final = {
@@ -240,7 +240,7 @@ def _unpacked(  # noqa: PLR0917 - as pickle hands them on
     closing: tuple[str, ...],
     taught_on: str,
 ) -> Trajectory:
-    """Return the other way round than :meth:`Trajectory.__reduce__`."""
+    """Return the trajectory made of what :meth:`Trajectory.__reduce__` has pickled."""
     return Trajectory(name, note, tuple(starmap(Waypoint, points)), modified, closing, taught_on)
 
 

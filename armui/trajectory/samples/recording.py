@@ -41,9 +41,10 @@ _STRIDE = 64
 _SPEED_OVER_S: Final = 0.1
 """Speeds are averaged over this time, because samples carry the bus's jitter."""
 _COMES_AFTER_S: Final = 0.13
+"""In the simulated arm a corner is cut by half the acceleration times the square of this."""
 _WITH_THE_WORST: Final = 0.3
 _LASTS_S: Final = 0.3
-"""So long before and after a change of speed the arm may be off the way."""
+"""The time before and after a change of speed in which the arm may be off the way."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

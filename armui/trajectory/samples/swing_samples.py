@@ -22,7 +22,7 @@ LEAST_SHARE: Final = 0.2
 _ACCELERATION_DEG_S2: Final = 20.0
 _EVERY_S: Final = 0.05
 _RESTS_S: Final = 0.4
-"""So long a joint rests before it turns back, so that its current settles."""
+"""The rest of a joint before it turns back, in which its current settles."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -86,7 +86,7 @@ def needed(times_s: Array, curves: Array) -> npt.NDArray[np.intp]:
 def _off_lines(
     times_s: Array, curves: Sequence[Array], kept: npt.NDArray[np.intp], here: npt.NDArray[np.intp]
 ) -> Array:
-    """(n,) how far samples are off the lines between the kept ones, in their worst curve."""
+    """Return (n,) the deviation of samples from the lines between kept ones, in the worst curve."""
     at_s, knots_s = times_s[here], times_s[kept]
     worst = np.zeros(len(here))
     for curve in curves:

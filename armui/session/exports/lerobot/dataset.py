@@ -119,7 +119,7 @@ def _table(pa: Any, schema: Any, values: dict[str, Array]) -> Any:
 
 
 def _row(number: int, episode: EpisodeFrames, end: int, stats: dict[str, Any]) -> dict[str, Any]:
-    """Return what the list of episodes has of one."""
+    """Return the entry of an episode in ``meta/episodes``."""
     return {
         "episode_index": number,
         "tasks": [episode.task],
@@ -198,7 +198,7 @@ def _write_json(path: Path, told: dict[str, Any]) -> None:
 
 @contextmanager
 def _written(path: Path) -> Iterator[BinaryIO]:
-    """Give a file to write, and have the disk keep it."""
+    """Yield a file to write, and sync it to the disk afterwards."""
     with open_file(path, "wb") as file:
         yield file
         file.flush()

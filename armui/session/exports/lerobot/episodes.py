@@ -1,4 +1,4 @@
-"""Cuts what a log tells at an even rate into episodes, and has them written as a dataset."""
+"""Samples a log at an even rate, cuts it into episodes, and writes them as a dataset."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 NAMES: Final = (*(f"joint_{joint}.pos" for joint in range(1, 7)), "gripper.pos")
 """The names of the values: degrees and mm, as of ``lerobot_robot_armui``."""
 SHORTEST_S: Final = 1.0
-"""What is shorter is no episode."""
+"""A shorter stretch is no episode."""
 
 EPISODES_UNMARKED = Reason(
     "episodes_unmarked", "No episode is marked in it: all of it is taken as one, “{task}”."
@@ -154,7 +154,7 @@ class LeRobotDataset:
 
 
 def _is_gap(instants: Instants, place: int) -> bool:
-    """Return whether nothing was heard just before an instant."""
+    """Return whether the instants just before this one are missing, as nothing was heard."""
     return bool(instants.numbers[place] - instants.numbers[place - 1] > 1)
 
 

@@ -1,4 +1,4 @@
-"""What a log tells at the instants of an even rate: where the arm was, and what it was asked."""
+"""Samples a log at an even rate: the measured joints and gripper, and their commands."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 MAX_AGE_S: Final = 0.1
-"""The highest age of what was measured, at each instant."""
+"""The greatest age of a measured value at an instant."""
 _EARLY: Final = 1e-4
-"""A share of a period by which an instant may come before what is heard in it."""
+"""The share of a period by which a frame may be later than its instant."""
 GRIPPER: Final = 6
 """The place of the gripper's opening behind the six angles."""
 
@@ -65,7 +65,7 @@ class Instants(NamedTuple):
 
 
 class InstantSampler:
-    """Looks at a log at an even rate, piece by piece; its memory grows with the instants alone.
+    """Samples a log at an even rate, piece by piece; its memory grows with the instants only.
 
     Args:
         codec: A codec of the arm's generation.
@@ -87,7 +87,7 @@ class InstantSampler:
             return 0
         told = self._records.told(history, rows)
         told = told if self._last is None else np.vstack((self._last, told))
-        # a clock that was set back tells nothing until it is where it was
+        # after the clock was set back, rows are skipped until its former time is reached
         told = told[told[:, 0] >= np.maximum.accumulate(told[:, 0])]
         self._last = told[-1:]
         return self._add(told[:-1], told[1:, 0])
@@ -120,7 +120,7 @@ class InstantSampler:
 
 
 class _Wanted:
-    """The columns that are wanted, out of those of a table."""
+    """The columns that a dataset needs: measured values, commands, and the status."""
 
     def __init__(self, codec: Codec) -> None:
         records = TableColumns(codec).records
@@ -132,7 +132,7 @@ class _Wanted:
         """Return for each row its time, its cause, what was measured and what was asked."""
         measured = _values(history, rows, self._measured, MAX_AGE_S)
         asked = _values(history, rows, self._asked, np.inf)
-        # a command that tells some of the joints is none of the six
+        # a command for only some of the joints counts as none
         asked[~np.isfinite(asked[:, :GRIPPER]).all(axis=1), :GRIPPER] = np.nan
         silent = ~np.isfinite(measured[:, :GRIPPER]).all(axis=1)
         faults = np.where(self._faulty(history, rows), Cause.FAULT, Cause.NONE)
@@ -152,7 +152,7 @@ class _Wanted:
 def _places(
     records: tuple[RecordColumns, ...], source: str
 ) -> list[tuple[RecordColumns, int, int]]:
-    """Return where each wanted value stands: its message, column there, and place among them."""
+    """Return for each wanted value its message, its column there, and its place in the result."""
     names = [f"{source}.{value}" for value in _VALUES]
     return [
         (record, place, names.index(column.name))

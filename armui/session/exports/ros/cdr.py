@@ -39,7 +39,7 @@ class CdrWriter:
 
     def _put(self, kind: str, *values: float, name: str = "") -> None:
         past_header = len(self._bytes) - len(_HEADER)
-        self._bytes.extend(bytes(-past_header % struct.calcsize(kind)))  # aligned
+        self._bytes.extend(bytes(-past_header % struct.calcsize(kind)))  # CDR aligns by size
         if name:
             self.places[name] = len(self._bytes)
         self._bytes.extend(struct.pack(f"<{len(values)}{kind}", *values))

@@ -44,7 +44,7 @@ class _Part:
 
     Attributes:
         name: As in the message.
-        messages: What it is told by; the first one proves that it is there.
+        messages: The messages with its status; if the first one was heard, the part exists.
     """
 
     name: str
@@ -121,7 +121,7 @@ class DiagnosticStream:
                 found.data.append(self._array(time_ns, parts, heard, place))
         return found if found.rows else None
 
-    # When -------------------------------------------------------------------------------------
+    # The frames at which a message is written -------------------------------------------------
 
     def _changes(self, history: History, message: str) -> NDArray[np.int64]:
         """Return the frames whose codes differ from those before; the first one, too."""
@@ -147,7 +147,7 @@ class DiagnosticStream:
         rows: NDArray[np.int64] = frames.rows[begins]
         return rows
 
-    # What -------------------------------------------------------------------------------------
+    # The content of a message -----------------------------------------------------------------
 
     def _array(
         self, time_ns: int, parts: list[_Part], heard: dict[str, _Heard | None], place: int
@@ -199,7 +199,7 @@ class DiagnosticStream:
                 continue
             for name, value in told.get(message, {}).items():
                 if math.isnan(value):
-                    continue  # the frame holds something else in its place
+                    continue  # multiplexed: the frame has another signal
                 yield _key(self._codec, message, name), self._value(message, name, value)
 
     def _value(self, message: str, name: str, value: float) -> str:

@@ -104,7 +104,7 @@ class RosMessage(NamedTuple):
 
     Attributes:
         row: The number of the frame from which it was made.
-        stream: Whose it is.
+        stream: The stream that made it.
         time_ns: The frame's time as recorded.
         data: The message as CDR.
     """
@@ -132,7 +132,7 @@ class RosMessages:
         self.without_stamp = 0
 
     def repeat_fixed(self) -> None:
-        """Have the next piece tell once more where the parts are that never move."""
+        """Have the next piece repeat the transforms of the parts that never move."""
         moving = [each for each in self.streams if not isinstance(each, FixedStream)]
         self.streams = [FixedStream(self._facts), *moving]
 

@@ -335,7 +335,7 @@ def _openings(history: History, span: TimeSpan) -> tuple[RowTimes, NDArray[Any]]
     if samples is None or at is None:
         return None
     openings_mm = samples.column("Opening")[samples.last_at(at.rows)]
-    there = ~np.isnan(openings_mm)  # else it is told as an angle, which is no place of the fingers
+    there = ~np.isnan(openings_mm)  # else an angle is reported, not an opening
     if not there.any():
         return None
     return RowTimes(at.rows[there], at.times_s[there]), openings_mm[there]
