@@ -161,7 +161,7 @@ _LATE_ROOMS: Final = (
     "interface",
     "ui",
 )
-"""The rooms with modules that a page imports when it is opened."""
+"""The packages with modules that a page imports when it is opened."""
 
 
 def may_drive(modules: Collection[str]) -> bool:
@@ -285,7 +285,7 @@ class Program:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
-        # Begun by the event loop, once the window stands.
+        # called by the event loop after the window is built, so as not to delay its first paint
         QTimer.singleShot(0, self._relay, self._switch_served)
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
@@ -313,7 +313,7 @@ class Program:
         noted.add_done_callback(_log_unnoted)
 
     def look_at_folders(self) -> None:
-        """Tell the operator once where nothing can be kept; the file thread looks."""
+        """Report once to the operator which folders cannot be written; the file thread checks."""
 
         def tell(looked: Future[tuple[ClosedFolder, ...]]) -> None:
             if not looked.cancelled() and looked.exception() is None and looked.result():
@@ -350,7 +350,7 @@ class Program:
         served_no_more = self.interface.end()
         self.ended = self.controller.shutdown() and served_no_more
         self.closed.set()
-        self.ended = self.live.end() and self.ended  # its process may take a moment
+        self.ended = self.live.end() and self.ended  # its process may need a moment to end
         if self._event_keeper is not None:
             self._event_keeper.close()
         if self._files is not None:
@@ -428,7 +428,7 @@ def run(options: StartOptions) -> int:
         try:
             return _run(options)
         except Exception:
-            # whoever starts it from a desktop sees no terminal
+            # a program started from a desktop has no terminal: the error goes to the log
             _LOG.exception("The program ends before its window has done its work")
             raise
 
@@ -438,7 +438,7 @@ def _run(options: StartOptions) -> int:
     QCoreApplication.setApplicationName("armui")
     QApplication.setDesktopFileName("org.armui.armui")
     app = make_application(sys.argv[:1])
-    GarbageSearch(app)  # before any other thread begins
+    GarbageSearch(app)  # before any other thread begins: it could run Python's own collector
     served = {"interface": options.api_on, "live": options.live_on}
     chosen: dict[str, object] = {name: True for name, on in served.items() if on}
     if options.language is not None:
@@ -448,7 +448,7 @@ def _run(options: StartOptions) -> int:
     arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)
     device = _started_with(options, store)
     if device is not None and device.simulated:
-        arms.begin(device)  # it loads while the window is built
+        arms.begin(device)  # it loads in a thread while the window is built
     controller = ArmController(partial(open_device, arms=arms), SIMULATED)
     program = Program(
         app,
@@ -467,7 +467,7 @@ def _run(options: StartOptions) -> int:
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, options, device, system_end)
     if not program.ended:
-        # a driver hangs: what it holds can be neither waited for nor destroyed
+        # a driver hangs in a thread: a normal exit would wait for that thread without end
         logging.shutdown()
         os._exit(code)
     arms.end()
@@ -502,9 +502,7 @@ def _run_window(
 
 
 class AfterFirstPaint(QObject):
-    """Begins what takes long once a window has been painted, so that it does not stand there black.
-
-    The libraries of a connection alone take 20 s to load on a busy computer.
+    """Begins long work once a window is painted: before, it would delay the window's first paint.
 
     Args:
         window: The window; one that is not painted, as a minimised one, is waited for 3 s.
@@ -515,7 +513,7 @@ class AfterFirstPaint(QObject):
         super().__init__(window)
         self._timer = QTimer(self, singleShot=True, interval=_PAINTED_MS)
         self._timer.timeout.connect(begin)
-        # counted by the event loop: it may begin late
+        # started by the event loop: time that the constructors still take does not count
         QTimer.singleShot(0, self._timer, self._timer.start)
         window.installEventFilter(self)
 
@@ -528,7 +526,7 @@ class AfterFirstPaint(QObject):
 
 
 def _load_pages_when_idle(app: QApplication, then: Callable[[], object]) -> None:
-    """Load the pages while the operator has not asked for any yet.
+    """Load the pages' modules one by one while the event loop has nothing else to do.
 
     Args:
         app: Qt's application.

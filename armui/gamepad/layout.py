@@ -133,12 +133,12 @@ DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
 
 
 def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
-    """Return the stored assignment of a device, or the default if that cannot be used."""
+    """Return the stored assignment of a device, or the default one if it is missing or invalid."""
     first = DEFAULTS[kind]
     if kept is None:
         return first
     figures = asdict(first) | {name: kept[name] for name in ACTIONS if name in kept}
-    # what was kept before there was the action may have given its button to another one
+    # an assignment stored before there were episodes may use their default button otherwise
     if "episode" not in kept and figures["episode"] in kept.values():
         figures["episode"] = ""
     wanted = Assignment(**figures)

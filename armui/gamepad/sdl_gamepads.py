@@ -36,7 +36,7 @@ class SdlGamepads:
 
     def open(self) -> None:
         """Load SDL and start its gamepads."""
-        # The import warns about where its binaries come from.
+        # the package warns at import about where its SDL library comes from
         warnings.filterwarnings("ignore", message="Using SDL2 binaries")
         import sdl2  # noqa: PLC0415 - an extra, loaded when it is wanted
 
@@ -53,7 +53,7 @@ class SdlGamepads:
         """Return the present state of the gamepads."""
         sdl = self._sdl
         sdl.SDL_GameControllerUpdate()
-        # nobody takes the events that tell of devices: they must not pile up
+        # the state is polled and nobody reads SDL's event queue: empty it, or it would fill up
         sdl.SDL_FlushEvents(sdl.SDL_FIRSTEVENT, sdl.SDL_LASTEVENT)
         self._open_new()
         states = []

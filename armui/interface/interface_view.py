@@ -1,4 +1,4 @@
-"""What the window shows of the local interface, and asks the operator for a client: data."""
+"""The data that the window shows of the local interface, with the questions of clients."""
 
 from __future__ import annotations
 

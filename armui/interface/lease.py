@@ -116,7 +116,7 @@ class Lease:
         ask: What was asked for.
         max_speed_percent: The highest speed that the operator has granted.
         since_s: Monotonic time.
-        number: Names it in each command.
+        number: The number by which each command of the client names the lease.
     """
 
     ask: Ask
@@ -175,7 +175,7 @@ class Lessor:
         return ask
 
     def heard(self, client: Client, now_s: float) -> None:
-        """Note when something was last heard from a client; before the grant it counts for none."""
+        """Note when data last came from the client that holds the lease; others are ignored."""
         if self.held is not None and self.held.ask.client.number == client.number:
             self._heard_s = max(self._heard_s, now_s)
 
@@ -185,11 +185,11 @@ class Lessor:
         return lease
 
     def take_back(self, client: Client) -> None:
-        """Forget what was granted a client for its session."""
+        """Forget a grant for a client's whole session."""
         self._for_session.pop(client.number, None)
 
     def why_over(self, now_s: float) -> Refusal | None:
-        """Return why the lease, or who asks, is over by the time gone by."""
+        """Return why the lease or the request has ended by a time limit, or ``None``."""
         if self.asked is not None and now_s - self.asked.since_s > GRANT_WITHIN_S:
             return LEASE_NOT_GRANTED(seconds=round(GRANT_WITHIN_S))
         if self.held is not None and now_s - self._heard_s > SILENT_S:

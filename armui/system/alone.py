@@ -34,7 +34,7 @@ def alone_with(path: Path) -> Iterator[None]:
         except Timeout:
             raise
         except (OSError, NotImplementedError):
-            pass  # without locks nobody can be met: whoever looks for other programs says so
+            pass  # without locks no other program can be noticed; `presence` reports that
         yield
 
 

@@ -90,7 +90,7 @@ class FailureHandler(logging.Handler):
         self._counts[key] += 1
         try:
             failure = _failure(record, error, self._counts[key])
-        except Exception:  # noqa: BLE001 - its own words may fail; where it came from is not known
+        except Exception:  # noqa: BLE001 - the exception's own text may fail: then use its type
             failure = Failure(type(error).__name__, type(error).__name__, (), self._counts[key])
         try:
             self._tell(failure)

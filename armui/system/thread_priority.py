@@ -97,7 +97,7 @@ if sys.platform == "linux":
             return Rise(RaisedBy.SYSTEM)
         try:
             _by_rtkit(wanted)
-        except Exception as error:  # noqa: BLE001 - D-Bus fails in many ways; none is ours to mend
+        except Exception as error:  # noqa: BLE001 - D-Bus fails in many ways beyond our control
             return Rise(RaisedBy.NOBODY, str(error) or type(error).__name__)
         return Rise(RaisedBy.RTKIT)
 
@@ -113,7 +113,7 @@ if sys.platform == "linux":
         for thread_id in thread_ids:
             with contextlib.suppress(ProcessLookupError):  # it has just ended
                 if os.getpriority(os.PRIO_PROCESS, thread_id) > NICE:
-                    # a browser opened from the menu is no part of this
+                    # processes started by this thread, such as a browser, get the ordinary priority
                     ordinary = os.SCHED_OTHER | os.SCHED_RESET_ON_FORK
                     os.sched_setscheduler(thread_id, ordinary, os.sched_param(0))
                     os.setpriority(os.PRIO_PROCESS, thread_id, NICE)

@@ -40,8 +40,7 @@ class Picture:
         pixels = frame.memory.slot(frame.slot, stride * height)
         self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
         self.image.setDevicePixelRatio(frame.drawn.pixel_ratio)
-        # the image has taken the address, and the frame keeps the memory alive: this view of it can
-        # go
+        # the image points into the memory, which `frame` keeps alive: this view is no longer needed
         pixels.release()
 
 

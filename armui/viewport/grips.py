@@ -35,13 +35,10 @@ _JOINT_HALF_DEG: Final = 70.0
 _ARC_STEP_DEG: Final = 6.0
 _NEAR_PX: Final = 8.0
 _ALONG_SIGHT: Final = 0.97
-"""The cosine from which an axis points at the eye and can't be dragged along: a pixel would be a
-metre.
-"""
+"""An axis can't be dragged if its cosine with the sight is above this: a pixel would be a metre."""
 EDGE_ON: Final = 0.13
-"""Cosine of the angle between sight and axis below which a ring is seen from its edge: it can't be
-turned then, for the same reason. A joint's arc can, see :class:`GripDrag`.
-"""
+"""The cosine between sight and axis below which a ring is seen from its edge: it can't be turned
+then, for the same reason. A joint's arc can, see :class:`GripDrag`."""
 _ARROW_SHARE: Final = 0.09
 _SAME_PX: Final = 3.0
 """The distance at which the near and the far side of an arc, seen from its edge, coincide."""
@@ -288,7 +285,7 @@ class GripDrag:
 
 
 def _wheel_deg(aside: float) -> float:
-    """Return the degrees from the side facing the eye, of a point so many radii off the middle."""
+    """Return the angle from the side facing the eye for a distance from the axis, in radii."""
     if abs(aside) <= _ROUND:
         return math.degrees(math.asin(aside))
     beyond = math.degrees((abs(aside) - _ROUND) * _BEYOND)
@@ -296,7 +293,7 @@ def _wheel_deg(aside: float) -> float:
 
 
 def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[float, float]) -> bool:
-    """Return whether the side that faces the eye is taken; where both are there, it is that."""
+    """Return whether the arc was grabbed on the side facing the eye, or on both at once."""
     pixels = [projection.pixel(place) for place in grip.places]
     away: list[tuple[float, float]] = []
     for place, (one, other) in zip(grip.places, itertools.pairwise(pixels), strict=False):

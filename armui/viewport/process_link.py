@@ -578,7 +578,7 @@ class ProcessLink:
                 return
 
     def _draw_in_one_process(self) -> Refusal | None:
-        """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
+        """Draw until the process is lost; return why, or ``None`` if a robot caused it."""
         self._mailbox.resume()
         self._mailbox.reset_results()
         try:
@@ -608,7 +608,7 @@ class ProcessLink:
             how = child.end()
             session.close()
         self._asked_serial = session.asked_serial
-        # a robot that fails leaves the one before in the picture; the next process has none yet
+        # the next process has no earlier robot to show in place of one that fails: put it aside
         self._put_aside = session.failed_robot or self._put_aside
         reason = reason or PICTURE_PROCESS_ENDED(text=how)
         return None if self._blames_robot(session, reason) else reason
@@ -634,7 +634,7 @@ class ProcessLink:
         return replace(state, robot=self._proven) if bad else state
 
     def _blames_robot(self, session: RenderSession, reason: Refusal) -> bool:
-        """Put a robot aside whose loading or first picture was the end of the process."""
+        """Put a robot aside if the process was lost while loading or first drawing it."""
         suspect = session.robot
         if (
             suspect is None

@@ -139,7 +139,7 @@ class StrokePainter:
         projection: Projection,
         palette: ScenePalette,
     ) -> None:
-        """Write beyond the end of a line that is in the picture, so that it stands on neither."""
+        """Write a label beyond the end of a line and clear of it, if its end is visible."""
         before, end = line
         if not _whole(projection).contains(end):
             return
@@ -212,7 +212,7 @@ class StrokeLayer:
 
 
 def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projection) -> QRectF:
-    """Return the rectangle of pixels and of the labels beside them."""
+    """Return the rectangle around pixels, with room for the labels beside them."""
     points = QPolygonF([QPointF(*pixel) for pixel in pixels if pixel is not None])
     if points.isEmpty():
         return QRectF()

@@ -344,7 +344,7 @@ class ArmView(QWidget):
             self._show(replace(self._state, area=area, camera=camera))
 
     def bring_in(self, area: AreaPicture) -> None:
-        """Have boxes in the picture that are new in it, unless the operator has turned it."""
+        """Move the camera back to show newly added boxes, unless the operator has moved it."""
         self._viewpoint.bring_in(tuple(corners(area)))
         self._take_camera()
 
@@ -445,7 +445,7 @@ class ArmView(QWidget):
             self._take_camera()
 
     def _look_at(self, state: ViewState) -> None:
-        """Show a state in which the arm or its ghost may stand elsewhere."""
+        """Apply a state in which the arm or ghost may have moved; move the camera if needed."""
         moved = state.angles_deg is not self._state.angles_deg
         moved = moved or state.preview.ghost_deg != self._state.preview.ghost_deg
         if moved and self.isVisible():
@@ -470,7 +470,7 @@ class ArmView(QWidget):
         self.view_changed.emit()
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
-        """Take the camera that the operator has moved."""
+        """Take over the camera that the operator has moved; ``None`` changes nothing."""
         if camera is None or self._viewpoint.is_carried:
             return
         self._viewpoint.move_by_hand(camera)
@@ -491,7 +491,7 @@ class ArmView(QWidget):
             return
         self._hud = values
         if not self._client.is_running or self._client.is_settled or self._lost is not None:
-            self._paint_figures()  # no picture is on its way that the figures could wait for
+            self._paint_figures()  # no picture is awaited for the figures to appear with
         elif not self._figures_wait.isActive():
             self._figures_wait.start()
 
@@ -527,7 +527,7 @@ class ArmView(QWidget):
         shown = self._asked.get(sequence, self._state)
         self._asked = {each: state for each, state in self._asked.items() if each >= sequence}
         if is_first and shown.camera != self._state.camera:
-            # its camera is wrong: the size of the robot was not known yet
+            # drop it: its camera was fitted before the size of the robot was known
             self._client.frame_used(picture)
             return
         self._picture = picture
@@ -540,7 +540,7 @@ class ArmView(QWidget):
             self.first_frame_shown.emit()
 
     def _on_lost(self, lost: Lost) -> None:
-        """End a drag as the picture is lost: no one may aim at what is not drawn any more (S24)."""
+        """End a drag, because handles in a lost picture are not where they seem to be (S24)."""
         self._lost = lost
         self._again_button.setVisible(not lost.comes_back)
         self.update()
