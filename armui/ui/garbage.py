@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, QTimer
 
 _LOOK_MS: Final = 500
 _LOOKS: Final = 120
-"""The number of searches after which everything since the start is searched: once a minute."""
+"""The number of searches after which all objects are searched: about once a minute."""
 
 
 class GarbageSearch(QObject):

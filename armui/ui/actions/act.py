@@ -35,10 +35,10 @@ _Method = TypeVar("_Method", bound=Callable[..., object])
 
 
 class _Marks:
-    """Marks the methods of a widget that belong to an act; those of a family get the key."""
+    """Decorators for the methods of an act; those of a family are called with the key."""
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method under the name of what it is for."""
+        """Register a method for one purpose, such as ``pressed``."""
         raise NotImplementedError
 
     def pressed(self, method: _Method) -> _Method:
@@ -58,15 +58,15 @@ class _Marks:
         return self.mark("tip", method)
 
     def whose(self, method: _Method) -> _Method:
-        """Mark the method that returns what it belongs to, where that is not the heading."""
+        """Mark the method that returns the owner's name, if that is not the heading."""
         return self.mark("whose", method)
 
     def lit(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is the main button, if it can be pressed."""
+        """Mark the method that returns whether to highlight the button, if it can be pressed."""
         return self.mark("lit", method)
 
     def there(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is seen at all, where it comes and goes."""
+        """Mark the method that returns whether the button is shown at all."""
         return self.mark("there", method)
 
 
@@ -165,7 +165,7 @@ class Act(_Marks):
         self._methods, self._member = methods, (key,)
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method under the name of what it is for."""
+        """Register a method for one purpose, such as ``pressed``."""
         self._methods[what] = method.__name__
         return method
 
@@ -224,13 +224,13 @@ class Act(_Marks):
         return partial(method, *self._member) if self._member else method
 
     def press(self, owner: HasActs) -> None:
-        """Do what a press of the button does, if nothing stands against it.
+        """Do what a press of the button does, if there is no reason against it.
 
-        Nothing but the operator's finger holds a button that must be held (S11).
+        A button that must be held does nothing here: only the operator's finger may hold it (S11).
         """
         if self._held or self.reason(owner):
             return
-        self.show(owner)  # a button that is off by what was known before takes no click
+        self.show(owner)  # first, as a disabled button takes no click
         self.button(owner).click()
 
     def reason(self, owner: HasActs) -> str:
@@ -269,7 +269,7 @@ class Act(_Marks):
             button.setVisible(self._ask(owner, "there"))
 
     def _ask(self, owner: HasActs, what: str, default: Callable[[], Any] = str) -> Any:
-        """Return what the marked method says; without one the default."""
+        """Return the result of the marked method, or the default without one."""
         if what not in self._methods:
             return default()
         return getattr(owner, self._methods[what])(*self._member)
@@ -300,7 +300,7 @@ class ActFamily(_Marks, Generic[_Key]):
             act.declared_in(owner.__name__)
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method for all members."""
+        """Register a method for one purpose with all members."""
         return self._any.mark(what, method)
 
     @overload

@@ -33,7 +33,7 @@ def no_reason(*_: object) -> str:
 
 
 def while_editing(_now: OperatingState) -> str:
-    """Return the sentence on what must be done before parameters can be saved or cancelled."""
+    """Return the sentence that parameters can be saved or cancelled only while they are edited."""
     return QCoreApplication.translate("Action", "Press Edit in the panel first.")
 
 

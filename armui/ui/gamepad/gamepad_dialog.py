@@ -439,7 +439,7 @@ class GamepadDialog(ArmDialog):
     def _on_mode(self, number: int) -> None:
         mode = tuple(JogMode)[number]
         problem = words.why_not(self._store.change(gamepad_mode=_MODES[mode]))
-        self._pilot.set_mode(mode)  # a button of the device may have chosen another meanwhile
+        self._pilot.set_mode(mode)  # a button of the device may have changed it
         self._take(problem)
 
     def _on_device(self, place: int) -> None:

@@ -36,9 +36,7 @@ _SIDE_PX: Final = 26
 _GROUND_SIDE_PX: Final = 16
 _PADDING_PX: Final = 6
 _A_DAY_S: Final = 86_400.0
-"""A limit that never applies: the device's own movements are watched elsewhere, and those of the
-mouse do not count here.
-"""
+"""A limit that never applies: the device is watched elsewhere, and the mouse is not used."""
 
 _WAITS, _HELD, _MOVES, _WRONG = "waits", "held", "moves", "wrong"
 
@@ -81,7 +79,7 @@ class GamepadStrip(Translated, QWidget):
         return self._text.text()
 
     def _choose(self, settings: Settings) -> None:
-        """Switch the gamepads on or off; nothing of theirs is loaded before they are."""
+        """Switch the gamepads on or off; their code is not loaded before they are first used."""
         if self._view is None:
             if not settings.gamepad:
                 return

@@ -37,7 +37,7 @@ _MOST_FOUND: Final = 6
 _OF_ALL_JOINTS: Final = frozenset(
     {"motors.enable", "motors.disable", "joints.set_zero", "joints.clear_error"}
 )
-"""The operations that are about all joints where no other is named."""
+"""The operations that concern all joints if the client names none."""
 _ALL: Final = ("joint", ALL_JOINTS)
 _DROPS: Final = Text("MotorPanel", "The arm will drop when it loses its power. Hold the arm.")
 _DANGERS: Final = {
@@ -57,18 +57,19 @@ _DANGERS: Final = {
         "arm standing still. The arm keeps it; there is no way back but to set it again.",
     ),
 }
-"""What the operator is told before he does the same himself."""
+"""The warnings that the operator reads before his own press."""
 
 
 def breakable(text: str) -> str:
-    """Return a foreign text that no word of it makes a window wider than its room."""
+    """Return a client's text with break points in long words, which would widen the window."""
     return _LONG_WORD.sub(rf"\1{_BREAK}", text)
 
 
 class ClientQuestion(ConfirmDialog):
-    """A question of a client's, open until it is answered, or over; closing it refuses.
+    """A question by a client, open until it is answered or withdrawn; closing it refuses.
 
-    It comes by itself: it takes no keyboard from what the operator is at, and opens over the panel.
+    It opens without a press by the operator, so it does not take the keyboard, and covers the panel
+    only.
 
     Args:
         interface: Is answered.
@@ -113,11 +114,11 @@ class ClientQuestion(ConfirmDialog):
 
     @property
     def asked(self) -> bool:
-        """Whether it is still asked."""
+        """True while the client still asks."""
         return self._asked()
 
     def open(self) -> None:
-        """Show it over the panel; what the operator is at keeps the keyboard."""
+        """Show it over the panel without taking the keyboard focus."""
         place(self)
         self.show()
         self.raise_()
@@ -150,7 +151,7 @@ class ClientQuestion(ConfirmDialog):
         raise NotImplementedError
 
     def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language; the client's own are shown as they are."""
+        """Set all texts in the operator's language; the client's own texts are not translated."""
         super().retranslate_ui()
         if not self._built:
             return
@@ -198,7 +199,7 @@ class GrantDialog(ClientQuestion):
         grid.addLayout(in_row(self.limit, STRETCH), 0, 1)
         grid.addLayout(in_row(self.once, self.lasting, STRETCH, spacing=8), 1, 0, 1, 2)
         for each in (self._limit_label, self.limit, self.once, self.lasting):
-            each.setVisible(ask.moves)  # what moves nothing is granted once, at no speed
+            each.setVisible(ask.moves)  # without motion there is no speed to choose
         fill(self.body, grid, self._seconds)
         self._built = True
         self.retranslate_ui()
@@ -278,7 +279,7 @@ class ConsentDialog(ClientQuestion):
         return title, "\n".join(filter(None, said)), self.tr("Allow once")
 
     def _findings(self) -> Iterator[str]:
-        """Yield what the check before a run has found, as the operator reads it at his own."""
+        """Yield the findings of the check before a run, as sentences."""
         from armui.ui.words.findings import finding_line  # noqa: PLC0415 - scipy
 
         findings = self._consent.findings
@@ -287,7 +288,7 @@ class ConsentDialog(ClientQuestion):
             yield self.tr("{count} more").format(count=len(findings) - _MOST_FOUND)
 
     def _figures(self) -> str:
-        """Return what the operation is called with, as the operator reads it."""
+        """Return the arguments of the operation as text."""
         whole = dict((_ALL,)) if self._consent.operation in _OF_ALL_JOINTS else {}
         joints = f"{JOINTS[0]}–{JOINTS[-1]}"
         return " · ".join(
@@ -315,7 +316,7 @@ def _joint_of(consent: Consented) -> int:
 
 
 def _unchanged(controller: ArmController, consent: Consented) -> Callable[[], bool]:
-    """Return what tells whether the arm still stands where a zero is to be set."""
+    """Return a function that tells whether the arm still stands where a zero is to be set."""
     state = controller.state
     if consent.operation == "gripper.set_zero":
         return lambda: controller.gripper.stands_as(state)
