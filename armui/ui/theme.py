@@ -158,8 +158,8 @@ DARK: Final = Colors(
 def colors_of(widget: QWidget) -> Colors:
     """Return the colours of a widget's theme.
 
-    The application's palette tells it: a widget that the style sheet gives a transparent background
-    has that in its own.
+    They are chosen by the application's palette: the style sheet can make a widget's own
+    transparent.
     """
     window = QApplication.palette(widget).color(QPalette.ColorRole.Window)
     return DARK if window.lightness() < 128 else LIGHT

@@ -177,7 +177,7 @@ class ColorDialog(ArmDialog):
         for option in _PICKER:
             self._picker.setOption(option)
         self._picker.currentColorChanged.connect(self.picked)
-        self._picker.finished.connect(self.close)  # Escape in it
+        self._picker.finished.connect(self.close)  # Escape in the picker
         self.body.addWidget(self._picker)
         fill(self.footer, STRETCH, CloseButton(self))
         self.retranslate_ui()

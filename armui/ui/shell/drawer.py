@@ -98,7 +98,7 @@ class Drawer(Translated, QWidget):
             self.turned.emit(False)
 
     def _on_tab(self, key: str) -> None:
-        """Request a page, which may be in a window: the tab of the one seen here stays down."""
+        """Request a page, which may open in a window: the tab of the page here stays pressed."""
         self.page_wanted.emit(key)
         if self.current is not None:
             self._tabs[self.current.key].setChecked(True)

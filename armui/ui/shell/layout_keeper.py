@@ -89,7 +89,7 @@ class LayoutKeeper(QObject):
 
     def _note_columns(self, name: str, header: QHeaderView) -> None:
         if not isValid(header):
-            return  # the header emits while it is being deleted
+            return  # the header emits signals even while it is deleted
         kept = self.layout.columns.get(name)
         known = () if kept is None else kept.widths_px
         shown = header.isSortIndicatorShown()

@@ -116,7 +116,7 @@ class UnsavedQuestion(SaveQuestion):
         self._follow()
 
     def holds(self) -> bool:
-        """Return true also while no arm is heard: saving is disabled then, with the reason."""
+        """Return true also while the arm is silent: saving is then disabled, with the reason."""
         return not self._controller.mark.heard or super().holds()
 
     def _follow(self) -> None:
@@ -313,13 +313,13 @@ def _moves(operating_state: OperatingState) -> bool:
 
 
 def gives_way(operating_state: OperatingState) -> bool:
-    """Return whether the arm is measured to move though nothing told it to, or nothing holds it."""
+    """Return whether the arm is measured to move without a command, or without power to hold it."""
     uncommanded = operating_state.uncommanded
     return uncommanded is not None and uncommanded.kind in {MotionKind.SINKS, MotionKind.MOVES}
 
 
 def is_taught(controller: ArmController) -> bool:
-    """Return whether the arm records a hand, or runs its recording."""
+    """Return whether the arm records a motion by hand, or replays its recording."""
     now = controller.operating_state
     if now.status is None or now.unreachable is not None or now.stop is not StopState.RUNNING:
         return False

@@ -91,7 +91,7 @@ class PageBar(Translated, QWidget):
 
 
 class _Crumb(QToolButton):
-    """Leads to a page and is called as that page is, which may stand elsewhere.
+    """A button that leads to a page and shows its title, wherever the page is.
 
     Args:
         page: The page.

@@ -106,7 +106,7 @@ class PageOpener(QObject):
         self._bar: StatusBar | None = None
 
     def waiting(self) -> Background:
-        """Return what runs work that waits for the operating system, for one window."""
+        """Return a new runner of work that waits for the operating system, for one window."""
         return Background(self._files, parent=self.window)
 
     # By their keys -----------------------------------------------------------------------------

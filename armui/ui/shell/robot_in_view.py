@@ -51,7 +51,7 @@ def show_in_view(
     )
     angles_deg = state.angles_deg()
     if angles_deg is None:
-        view.set_joints_unknown()  # silent or let go for a moment, it has not gone to its zeros
+        view.set_joints_unknown()  # the arm is silent: the picture keeps its last pose
     else:
         gripper = None if state.gripper is None else state.gripper.value
         gripper_mm = None if gripper is None else gripper.opening_mm

@@ -62,7 +62,7 @@ class PageWindow(ArmDialog):
         super().__init__(controller, parent)
         self.setObjectName(f"{page.key}_window")
         self.setWindowFlags(Qt.WindowType.Window)
-        self._moved = True  # as if the operator had moved it: it opens where it was
+        self._moved = True  # keeps the base class from placing it: it opens at its stored place
         self._page: Page | None = page
         self._put_back = named("page_put_back", QToolButton())
         self._put_back.setIconSize(QSize(_ICON_PX, _ICON_PX))
@@ -315,7 +315,7 @@ class Workspace(QObject):
         self._keeper.note()
 
     def _on_closed(self, page: Page) -> None:
-        """Release a page that was left, and show the one that led to it, wherever that stands."""
+        """Release a page that was left; if it was docked, show the page that led to it."""
         docked = page not in self._windows and page.isVisible()
         self._let_go(page)
         self._homes[page].drop_page(page)

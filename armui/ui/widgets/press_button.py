@@ -102,7 +102,7 @@ class PressButton(QPushButton):
         raise NotImplementedError
 
     def _all_words(self) -> Sequence[str]:
-        """Return every word it may show, so that its width does not change."""
+        """Return all words that it can show: the widest sets its width."""
         raise NotImplementedError
 
     def _caption(self) -> str:
@@ -110,7 +110,7 @@ class PressButton(QPushButton):
         raise NotImplementedError
 
     def _draw_sign(self, painter: QPainter, center: QPointF, colors: Colors) -> None:
-        """Draw the sign, which tells what the button is without its colour."""
+        """Draw the sign, whose shape distinguishes the buttons without colour."""
         raise NotImplementedError
 
     # Appearance -----------------------------------------------------------------------------------

@@ -113,7 +113,7 @@ class TrackSlider(QSlider):
         return round(2 * (_EDGE_PX + share * (self.width() - 2 * _EDGE_PX))) / 2
 
     def _steps(self, value: float) -> float:
-        """Return a value on the track in its steps: Qt takes no figure of any size."""
+        """Return a value in steps, limited to the track: Qt rejects larger integers."""
         return min(max(value / self._resolution, self.minimum()), self.maximum())
 
     def _value_at(self, x: float) -> int:

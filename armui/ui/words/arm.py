@@ -207,7 +207,7 @@ ARM_PARTS: Final = Texts("ArmPart") | {
     "tool": "the tool",
     "held object": "the held object",
 }
-"""The parts of the arm and what it carries, as checks name them."""
+"""The parts of the arm and its load, by the names that checks use."""
 
 
 def arm_kind(kind: str) -> str:
@@ -256,11 +256,11 @@ def disabling(danger: str, generation: Generation | None, state: ArmState) -> st
 
 
 def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
-    """Return whether an arm was told how its base stands; empty if nothing is to be said.
+    """Return a warning if the arm's mounting does not fit the base; empty if it does.
 
     Args:
-        needed: What the placement of its base wants; ``None`` if the arm knows nothing that fits.
-        told: What this program has told it last; ``None`` if nothing.
+        needed: The mounting for the placement of the base; ``None`` if none fits.
+        told: The mounting that this program has sent last; ``None`` if none.
     """
     if needed is told or (told is None and needed is Mounting.LEVEL):
         return ""
