@@ -201,8 +201,8 @@ class Program:
         hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
         clock: Monotonic time in seconds, the controller's.
-        socket: That of the local interface; the user's own by default.
-        for_clients: Runs the checks of its clients, for which the operator's own never wait; by
+        socket: The socket of the local interface; the user's own by default.
+        for_clients: Runs the checks of clients, so that those of the operator never wait; by
             default the workers.
 
     Attributes:
@@ -302,7 +302,7 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def note_version(self, trajectories: Path) -> None:
-        """Note which version uses the user's files, and what it takes over, by the file thread."""
+        """Note in a file which version uses the user's files, and whether another did before."""
         settings = self._store.settings
         sessions = Path(settings.session_folder) if settings.session_folder else paths.sessions()
         places = {"trajectories": trajectories, "sessions": sessions}
@@ -364,7 +364,7 @@ class Program:
             self._instances.close()
 
     def _on_failed(self, failure: Failure) -> None:
-        """End motion if the failing code may drive the arm; then tell the operator (S23)."""
+        """End motion if the failing code may drive the arm; then show the failure (S23)."""
         ended = may_drive(failure.modules)
         if ended:
             self.controller.on_failure()

@@ -155,7 +155,7 @@ class DeviceReader:
             backend.open()
         except ImportError:
             self._missing = (*self._missing, backend.package)
-        except Exception as error:  # noqa: BLE001 - a library of others; what it says is shown
+        except Exception as error:  # noqa: BLE001 - from another's library: its message is shown
             self._note(backend, "open", error)
         else:
             return True

@@ -1,8 +1,8 @@
 """The functions of axes and buttons, and the speeds of axes; pure.
 
 A gamepad has the layout that SDL gives every gamepad it knows: two sticks, two triggers, the four
-buttons a, b, x, y, shoulders, and a cross. Of a stick, right and down are positive. The six axes of
-a SpaceMouse are named as the arm's, X away from the operator, Y to the left, Z upwards.
+buttons a, b, x, y, shoulders, and a cross. On a stick, right and down are positive. The six axes of
+a SpaceMouse have the names of the arm's axes: X away from the operator, Y to the left, Z upwards.
 """
 
 from __future__ import annotations

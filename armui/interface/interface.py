@@ -121,9 +121,9 @@ class Interface(QObject):
         controller: Carries everything out.
         path: The socket.
         clock: Monotonic time in seconds, the controller's.
-        grants_itself: True where no operator is: everything is granted, and nobody is asked. Only
+        grants_itself: True if there is no operator: everything is granted without a question. Only
             for a simulated arm on a bus of its own.
-        shelf: The library; without one its methods are not there.
+        shelf: The library; without one its methods fail.
 
     Signals:
         changed: A :class:`InterfaceView`, when it differs.
@@ -292,7 +292,7 @@ class Interface(QObject):
         self._end_lease(LEASE_TAKEN_BACK())
 
     def consent(self, *, given: bool) -> None:
-        """Let the client do what it asks for, or not; the operator has held the button, or not."""
+        """Pass on the operator's answer to a question for consent, given by a held button."""
         if not given:
             self._refuse_consent(LEASE_DECLINED())
             return
@@ -392,7 +392,7 @@ class Interface(QObject):
             self.grant(max_speed_percent)
 
     def _why_no_lease(self) -> Refusal | None:
-        """Return why nobody can be granted the arm now, or ``None``."""
+        """Return why no client can be granted the arm now, or ``None``."""
         now, self._began = self._controller.operating_state, None
         return now.unreachable or self._why_over(now, self._controller.mark)
 

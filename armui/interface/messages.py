@@ -38,10 +38,10 @@ class Code(enum.IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """What a client asks for.
+    """A call from a client.
 
     Attributes:
-        id: Names its answer; ``None`` for a notification, which has none.
+        id: The id of its answer; ``None`` for a notification, which has no answer.
         method: The name of the method.
         params: The arguments by name.
         answered: False for a notification.
@@ -58,8 +58,8 @@ class CallError(Exception):
 
     Attributes:
         code: The number of the error.
-        id: The call's, where it could be read.
-        data: More about it.
+        id: The id of the call, if it could be read.
+        data: Further data about the error.
     """
 
     def __init__(self, code: Code, text: str, *, id_: Id = None, data: Json | None = None) -> None:
@@ -129,7 +129,7 @@ def error(wrong: CallError, id_: Id = None) -> bytes:
 
 
 def notification(method: str, params: Mapping[str, object]) -> bytes:
-    """Return the line that tells a client something without being asked."""
+    """Return the line of a notification, which answers no call."""
     return _line({"jsonrpc": "2.0", "method": method, "params": params})
 
 

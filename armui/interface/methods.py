@@ -1,7 +1,7 @@
-"""The methods of the interface beside the operations, each declared once.
+"""The methods of the interface besides the operations, each declared once.
 
-A declaration is a function without a body: its docstring says what the method does, its annotations
-what it takes. The arguments of a call are read by them, and the schema is made from them.
+A declaration is a function without a body: its docstring says what the method does, and its
+annotations give the parameters. Calls are read by these, and the schema is made from them.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class Method:
 
     @property
     def summary(self) -> str:
-        """What it does."""
+        """The docstring of the declaration."""
         return self.takes.__doc__ or ""
 
 

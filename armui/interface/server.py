@@ -1,8 +1,8 @@
 """The socket of the local interface, served by a thread of its own (S31).
 
-It reads lines, keeps each client within its limits, answers what needs only the arm's newest state,
-and hands everything else on to the window's thread. What a client does not read is bounded: the
-oldest states are never kept for it.
+It reads lines, keeps each client within its limits, answers calls that need only the arm's newest
+state, and passes all others to the window's thread. The memory for unread answers is bounded: a
+client that does not read gets no states.
 """
 
 from __future__ import annotations
@@ -60,9 +60,9 @@ class ClientSession:
     """One client's connection, from the server's side.
 
     Attributes:
-        client: Who it is; its name is empty before its hello.
-        events: True once it wants to be told the events.
-        heard_s: When anything was last heard from it.
+        client: The client; its name is empty before its hello.
+        events: True if it has subscribed to the events.
+        heard_s: The time of the last line from it.
         waiting: The number of calls that the window's thread has not answered yet.
     """
 
@@ -81,11 +81,11 @@ class Target:
     """The newest target of a stream.
 
     Attributes:
-        session: Whose it is.
+        session: The session that it came from.
         lease: The number of the lease that it names.
         joints_deg: Six angles; ``None``: it is a pose.
         flange_pose_mm_deg: A pose of the flange in the base, or ``None``.
-        id: Names the answer, if one is wanted.
+        id: The id of the answer, if one is wanted.
         answered: False for a notification.
     """
 
@@ -139,7 +139,7 @@ class Server:
 
     @property
     def clients(self) -> list[Client]:
-        """The clients that are connected and have said who they are."""
+        """The connected clients that have said hello."""
         return [each.client for each in list(self._sessions.values()) if each.greeted]
 
     # From the window's thread -----------------------------------------------------------------

@@ -106,7 +106,7 @@ def report(state: ArmState, now_s: float, fields: Sequence[str] = tuple(FIELDS))
     """Return the values with their ages.
 
     Args:
-        state: What was last heard.
+        state: The state of the arm.
         now_s: Monotonic time.
         fields: Keys of :data:`FIELDS`.
     """

@@ -48,10 +48,10 @@ _GIVEN: Final = "points"
 
 
 class ClientRunner(Runner):
-    """Starts what a client runs.
+    """Starts the runs of clients.
 
     Args:
-        controller: Carries it out.
+        controller: The controller that runs it.
         by_client: Calls what begins a motion as the client's.
 
     Attributes:
@@ -82,7 +82,7 @@ class ClientRunner(Runner):
 
 @dataclass(eq=False, repr=False)
 class Trajectories:
-    """Answers what clients ask of the library.
+    """Answers the calls of clients about the library.
 
     Args:
         controller: Gives the arm's state.

@@ -305,7 +305,7 @@ def _angle(text: str) -> float:
 
 
 class OutputError(Exception):
-    """The standard output is full or closed; the text tells which."""
+    """The standard output is full or closed; the text gives the reason."""
 
 
 class _Output:
@@ -327,7 +327,7 @@ class _Output:
             return self._stream.write(text)
 
     def flush(self) -> None:
-        """Pass on what was written; see `_output_failures`."""
+        """Flush the stream; see `_output_failures`."""
         with _output_failures():
             self._stream.flush()
 

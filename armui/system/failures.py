@@ -106,7 +106,7 @@ class Repeats(logging.Filter):
         self._counts: Counter[Key] = Counter()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Return whether a record is logged; one that stands for others holds their number."""
+        """Return whether to log a record; a repeated one gets the number of its repetition."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True

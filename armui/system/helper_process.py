@@ -429,7 +429,7 @@ def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
 def _settle(
     answer: Future[Any], value: object = None, *, error: BaseException | None = None
 ) -> None:
-    """Give an answer, unless nobody waits for it any more."""
+    """Set the result of a future, unless it was cancelled."""
     with contextlib.suppress(InvalidStateError):
         if error is None:
             answer.set_result(value)

@@ -98,7 +98,7 @@ def flush_log() -> None:
 
 
 class _LogThread(threading.Thread):
-    """Writes what it finds in a queue, until the end."""
+    """Writes the lines of a queue to the file, until the end mark."""
 
     def __init__(self, path: Path, lines: queue.Queue[str | None]) -> None:
         super().__init__(name="log", daemon=True)
@@ -167,7 +167,7 @@ def _let_go(lock: FileLock) -> None:
 
 
 def _own_file(folder: Path) -> tuple[Path, FileLock]:
-    """The first file that no running program writes, and the lock that tells so until it ends.
+    """Return the first file that no running program writes, and the lock that reserves it.
 
     Raises:
         OSError: The folder cannot be used.

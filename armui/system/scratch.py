@@ -1,8 +1,8 @@
 """Folders for temporary files; the next program removes those that a killed one left.
 
-In each folder lies a file that its program holds locked until it ends: that is asked first, as it
-is true whatever the system makes of process numbers. Where there is no such lock, in a folder
-of an older version or on a file system without locks, the number in the folder's name is asked for.
+In each folder lies a file that its program locks until it ends. The lock is checked first, because
+the system may give an ended process's number to another one. Without a lock, in a folder of an
+older version or on a file system without locks, the process number in the folder's name is checked.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ class ScratchFolder:
     lock: FileLock
 
     def remove(self) -> None:
-        """Remove the folder; while a file in it cannot be removed, it stays, and locked.
+        """Remove the folder; if a file in it cannot be removed, the folder stays, and stays locked.
 
-        Windows removes no file that is open. What is left goes with the next call, or with a later
+        Windows does not remove open files. The rest is removed by the next call, or by a later
         program.
         """
         with contextlib.suppress(OSError):
@@ -79,7 +79,7 @@ def make_folder(purpose: str) -> ScratchFolder:
     """
     path = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
     lock = FileLock(path / _LOCK, thread_local=False)
-    # Where the file system has no locks, the process number in the name must tell who uses it.
+    # on a file system without locks, the process number in the name is checked instead
     with contextlib.suppress(OSError, NotImplementedError, Timeout):
         lock.acquire(blocking=False)
     return ScratchFolder(path, lock)

@@ -9,7 +9,7 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication
 
 NOTHING: Final = "—"
-"""The text for a value that has not been heard from the arm."""
+"""The text for a value that the arm has not reported."""
 
 DECIMALS: Final = 3
 """The decimals of angles and lengths: the resolution of the bus."""

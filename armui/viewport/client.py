@@ -157,7 +157,7 @@ class PictureClient(QObject):
 
         link, news = told
         if link is not self._link or link is None:
-            return  # it comes from a process that was given up meanwhile
+            return  # from a process that was already given up
         if isinstance(news, PictureFrame):
             self._note_drawn(news.drawn)
             self.frame_ready.emit(Picture(news))

@@ -51,7 +51,7 @@ _BEYOND: Final = 1.0 / math.cos(math.radians(_ROUND_DEG))
 
 
 class GripKind(enum.Enum):
-    """The motion that a handle stands for."""
+    """The kind of motion by a handle."""
 
     AXIS = enum.auto()
     """Moves the tool along an axis."""
@@ -66,7 +66,7 @@ class Grip:
     """One handle.
 
     Attributes:
-        kind: The motion it stands for.
+        kind: The kind of motion.
         number: 0–2 for X, Y, Z; 1–6 for a joint.
         origin: Its place in the base frame, metres.
         axis: The unit vector along or about which it moves.

@@ -93,8 +93,8 @@ class PictureFrame:
 
     Attributes:
         number: The frame's number, for `ProcessLink.frame_used`.
-        memory, slot, size_px: Its place in the memory, and its size.
-        drawn: The answer that it came with.
+        memory, slot, size_px: The memory, the image's number in it, and its size.
+        drawn: The answer of the process for it.
     """
 
     number: int
@@ -163,7 +163,7 @@ class ChildProcess:
         if len(content) < _SMALL_BYTES:
             self._connection.send_bytes(content)
             return
-        # A process that stands still does not empty the pipe: a large message would wait for ever.
+        # a hanging process does not empty the pipe: sending a large message would block for ever
         limit = threading.Timer(_TAKEN_LIMIT_S, self.kill)
         limit.daemon = True
         limit.start()
@@ -382,7 +382,7 @@ class RenderSession:
         memory = self._memory
         if memory is None:
             return
-        # the answer proves that the process has opened the memory: nobody needs its name any more
+        # the answer proves that the process has opened the memory: its name is no longer needed
         memory.unlink_name()
         if drawn.size_px is None:
             self._tell(drawn)  # the last image shows this state as well

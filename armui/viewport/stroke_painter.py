@@ -225,7 +225,7 @@ def _whole(projection: Projection) -> QRectF:
 
 
 def _moved_inside(label: QRectF, projection: Projection) -> QRectF:
-    """Return where a label stands if the edges of the picture are not to cut it."""
+    """Return a label's rectangle moved so that the edges of the picture do not cut it."""
     left = min(label.left(), projection.width_px - label.width())
     top = min(label.top(), projection.height_px - label.height())
     return QRectF(QPointF(max(0.0, left), max(0.0, top)), label.size())

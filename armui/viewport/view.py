@@ -335,7 +335,7 @@ class ArmView(QWidget):
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
     def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
-        """Show the planes and boxes of a work area, and stand the base so in the room."""
+        """Show the planes and boxes of a work area, and place the base in the room."""
         self._viewpoint.set_placement(pose_rows(base))
         if area != self._state.area:
             self._viewpoint.set_boxes(tuple(corners(area)))
@@ -476,7 +476,7 @@ class ArmView(QWidget):
         self._viewpoint.move_by_hand(camera)
         self._take_camera()
 
-    # what is asked for, and what comes ---------------------------------------------------------
+    # requests and answers ----------------------------------------------------------------------
 
     def _show(self, state: ViewState) -> None:
         self._state = state
@@ -547,7 +547,7 @@ class ArmView(QWidget):
         self.give_up_drag()
 
     def _notice(self) -> str:
-        """Say what is wrong with the picture; empty when nothing is."""
+        """Return the notice on a missing or late picture; "" if there is none."""
         if self._lost is not None:
             return lost_text(self._lost)
         if self._picture is None:
@@ -560,7 +560,7 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return the key of the figure at a place, if it has a curve, which is in the base."""
+        """Return the key of the curve for the figure at a place; none for poses in a user frame."""
         hud = self._hud
         key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=hud.of_tool)
         return [] if key is None or (hud.frame and "joint" not in key) else [key]

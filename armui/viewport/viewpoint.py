@@ -78,7 +78,7 @@ class Viewpoint:
         self._is_held = False
         self.is_carried = False
 
-    # what there is to see ---------------------------------------------------------------------
+    # what is visible --------------------------------------------------------------------------
 
     def set_shape(self, shape: RobotShape) -> None:
         """Set the robot in the picture, once it is known."""
@@ -233,8 +233,7 @@ class Viewpoint:
         elif self.mode is ViewMode.FIT and (exactly or not self._is_all_clear(shape)):
             if exactly:
                 self._been.clear()
-            # places where the arm has been stay in view, or the picture would swing with an arm
-            # that goes to and fro
+            # keep places where the arm was in view: else the camera would move to and fro with it
             self.camera = self._fitted(1.0 if exactly else _GROWN)
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 

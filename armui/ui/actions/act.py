@@ -71,20 +71,7 @@ class _Marks:
 
 
 class Act(_Marks):
-    """A button, with all that belongs to it: what it does, its reason, its texts, its command.
-
-    It is written on the class of the widget that shows it, and is the button when it is read from
-    an instance, where it is made at the first use. Its texts are translated in the context of that
-    class. What cannot be said in one line is a method of that class, marked by a decorator::
-
-        confirm = Act("Confirm", named="light_confirm_button", does=Lights.set_light)
-
-        @confirm.pressed
-        def _on_confirm(self) -> None: ...
-
-    It can be pressed while its operation has no reason against it, and `needs` misses nothing; a
-    method marked by :meth:`why_not` takes the place of both. One without :meth:`pressed` is given a
-    menu by its owner.
+    """A button with its action, its reason, its texts and its command, declared once.
 
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
@@ -392,7 +379,7 @@ class BoundAct:
         return self.act.reason(self.owner)
 
     def press(self) -> None:
-        """Do what a press of the button does, if nothing stands against it."""
+        """Do what a press of the button does, if there is no reason against it."""
         self.act.button(self.owner).window().activateWindow()
         self.act.press(self.owner)
 

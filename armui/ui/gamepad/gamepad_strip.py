@@ -69,7 +69,7 @@ class GamepadStrip(Translated, QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.hide()
         unsubscribe = store.subscribe(self._choose)
-        self.destroyed.connect(lambda: unsubscribe())  # noqa: PLW0108 - it comes with an argument
+        self.destroyed.connect(lambda: unsubscribe())  # noqa: PLW0108 - the signal has an argument
         if store.settings.gamepad:
             QTimer.singleShot(0, self, partial(self._choose, store.settings))
 

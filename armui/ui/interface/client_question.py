@@ -1,4 +1,4 @@
-"""What a client asks the operator for: the arm, or his consent to one operation (S29)."""
+"""The questions of clients to the operator: for the arm, and for consent to one operation (S29)."""
 
 from __future__ import annotations
 
@@ -72,13 +72,13 @@ class ClientQuestion(ConfirmDialog):
     only.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop.
         parent: The main window.
-        client: Who asks.
-        since_s: The monotonic time since when it is asked.
-        asked: Returns whether it is still asked.
-        still: Returns whether what it is about is unchanged.
+        client: The client that asks.
+        since_s: The monotonic time of the question.
+        asked: Returns whether the question is still open.
+        still: Returns whether its subject is unchanged.
     """
 
     _built = False
@@ -167,10 +167,10 @@ class GrantDialog(ClientQuestion):
     """Asks whether a client may have the arm, how fast, and for how long.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop; gives the operator's speed.
         parent: The main window.
-        ask: What is asked for.
+        ask: The request.
     """
 
     def __init__(
@@ -240,13 +240,13 @@ class GrantDialog(ClientQuestion):
 
 
 class ConsentDialog(ClientQuestion):
-    """Asks whether the client with the arm may do what is dangerous, once.
+    """Asks whether the client with the arm may do something dangerous, once.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop; gives the arm's state.
         parent: The main window.
-        consent: What is asked for.
+        consent: The call that needs consent.
     """
 
     def __init__(
@@ -310,7 +310,7 @@ class ConsentDialog(ClientQuestion):
 
 
 def _joint_of(consent: Consented) -> int:
-    """Return the joint that it is about; what is no joint is refused by the operation."""
+    """Return the joint in the arguments; an invalid one is refused by the operation."""
     joint = consent.arguments.get("joint")
     return joint if isinstance(joint, int) and joint in JOINTS else ALL_JOINTS
 
@@ -326,10 +326,10 @@ def _unchanged(controller: ArmController, consent: Consented) -> Callable[[], bo
 
 
 class ClientQuestions:
-    """Opens each question of a client's as it comes, and closes it as it is over.
+    """Opens a question of a client when it arises, and closes it when it is withdrawn.
 
     Args:
-        interface: Tells what is asked.
+        interface: The interface with the questions.
         controller: Receives the emergency stops.
         window: The main window.
     """

@@ -352,7 +352,7 @@ class LightPanel(Panel):
                 self.show_acts()
 
     def _entered(self) -> tuple[object, ...]:
-        """Return all that is to be sent, as it is entered."""
+        """Return everything that would be sent, as entered."""
         texts = ((field.figure.name, field.text()) for field in self._figures())
         return self._joints.checkedId(), *texts
 
@@ -390,7 +390,7 @@ class LightPanel(Panel):
 
     @confirm.lit
     def _is_new(self) -> bool:
-        """Return true while what is entered was not sent yet, and is within the ranges."""
+        """Return true while the entries are not sent yet, and are within the ranges."""
         return self._entered() != self._sent and self._first_wrong() is None
 
     def _show_message(self) -> None:

@@ -78,7 +78,7 @@ class Panel(HasActs, Translated, QWidget):
         raise NotImplementedError
 
     def _show_all(self) -> None:
-        """Show everything as it is now."""
+        """Update everything that is shown."""
         raise NotImplementedError
 
     def _show_message(self) -> None:
@@ -91,7 +91,7 @@ class Panel(HasActs, Translated, QWidget):
     def _forget_outdated(self, old: OperatingState) -> None:
         """Drop the message if the operating state that explained it is over."""
 
-    # -- what it finds here -------------------------------------------------------------------
+    # -- what a panel can use -----------------------------------------------------------------
 
     def heading(self) -> str:
         """Return its title, to which its acts belong."""
@@ -101,7 +101,7 @@ class Panel(HasActs, Translated, QWidget):
         """Follow the controller.
 
         Args:
-            told_here: How the codes of the events begin that the panel tells.
+            told_here: The prefixes of the codes of events that the panel shows.
         """
         self._told_here = told_here
         self._controller.state_changed.connect(self._on_state_changed)
@@ -147,7 +147,7 @@ class Panel(HasActs, Translated, QWidget):
 
         Args:
             parts: From top to bottom.
-            head: Holds the title and what stands beside it; the title alone where there is none.
+            head: The row with the title and further widgets; by default the title alone.
             gap_px: Between the parts.
         """
         self._gap_px = gap_px

@@ -26,7 +26,8 @@ _AFTER_MS: Final = 1000
 class LayoutKeeper(QObject):
     """Reads the arrangement once, and writes it a moment after a change.
 
-    A file that cannot be written is not worth a message: the window is then as it was at first.
+    If the file cannot be written, no message is shown: the next start only has the default
+    arrangement.
 
     Args:
         settings: The file of the operator's settings.

@@ -216,7 +216,7 @@ def end_single_motion_then(
 
 
 class _Ending(QObject):
-    """Waits until the arm has come to rest, and then goes on, unless the operator stops it."""
+    """Waits for the arm's rest and then calls `proceed`, unless the operator stops the arm."""
 
     def __init__(
         self,
@@ -235,7 +235,7 @@ class _Ending(QObject):
         self._limit.timeout.connect(self._on_late)
 
     def begin(self) -> None:
-        """End the motion, and go on as soon as it has ended, unless by an emergency stop."""
+        """End the motion, and call `proceed` once it has ended, unless by an emergency stop."""
         self._controller.end_motion(single=self._single)
         self._controller.operating_state_changed.connect(self._look)
         if self._single:

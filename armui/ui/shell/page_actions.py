@@ -87,7 +87,11 @@ class PageActions(QObject):
         return [*own, source_of(self)]
 
     def reopen(self) -> None:
-        """Open what was open when the program ended, one page in each turn of the event loop."""
+        """Open what was open when the program ended, one page in each turn of the event loop.
+
+        The main window is visible and its modules are loaded by then, so that the start is not
+        delayed.
+        """
         left = self._workspace.next_left_open()
         if left is None:
             self._workspace.note_windows()  # forget windows that could not be opened again

@@ -34,7 +34,7 @@ def show_in_view(
     calibrated: Callable[[GripperState], float] | None = None,
     frame: UserFrame | None = None,
 ) -> None:
-    """Show angles and pose; stale values look so.
+    """Show angles and pose in the picture; stale values are faded.
 
     Args:
         view: The 3D picture.
@@ -42,7 +42,7 @@ def show_in_view(
         operating_state: The operating state.
         tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
             nothing for the flange.
-        calibrated: Returns the gripper's opening by its table; by default as it is told.
+        calibrated: Returns the gripper's opening by its table; by default the reported one.
         frame: The user frame in which the pose is shown; by default the base.
     """
     joints_stale, pose_stale = (

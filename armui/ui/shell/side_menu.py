@@ -322,7 +322,7 @@ class MenuEntry:
 
 
 class GroupHeading(Translated, QToolButton):
-    """The heading of the group that folds; while it is folded, the number of its entries, small."""
+    """The heading of a group that can be folded; folded, it shows the number of its entries."""
 
     def __init__(self, entries: int) -> None:
         super().__init__()
@@ -347,7 +347,7 @@ class GroupHeading(Translated, QToolButton):
         self.setToolTip(self.tr("Folds this group away, or shows it."))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the number of what is folded away in front of the sign."""
+        """Draw the number of folded entries in front of the sign."""
         super().paintEvent(event)
         if self.isChecked():
             return
@@ -375,9 +375,9 @@ class SideMenu(Translated, QWidget):
         library: Opens the library.
         watch: Opens what is watched.
         joint_status: Shows the state of the joints, always visible (manual 1.0.10).
-        foot: Stands at the foot, whatever is above.
+        foot: The buttons at the foot, whose place is fixed.
         folded: True or False as the operator left the group of the settings; None to fit.
-        unlock: Leaves the operator's view; it stands in the place of the group of the settings.
+        unlock: Leaves the operator's view; it replaces the group of the settings.
 
     Signals:
         chosen: The index of the entry.
@@ -462,7 +462,7 @@ class SideMenu(Translated, QWidget):
         self.chosen.emit(place)
 
     def open_entry(self, key: str) -> None:
-        """Open an entry as by a press on it, unless it is open already."""
+        """Open an entry as if it was pressed, unless it is open already."""
         keys = [entry.key for entry in self._entries]
         place = keys.index(key)
         if place != self._chosen and self.isVisible():

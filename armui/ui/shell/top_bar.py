@@ -187,11 +187,12 @@ def _meaning(now: OperatingState, end: Reading[EndLimits] | None, mode: int | No
 
 
 class EnableButton(Translated, QAbstractButton):
-    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard.
+    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not known.
 
-    After an emergency stop the word is that of the stop: the motors report disabled, but still
-    brake until the release. Of an arm that moves by itself it is what the arm does: «Stopped» is
-    said once it is measured at rest. A joint with a fault has a ring with «!», enabled or not.
+    After an emergency stop the button says that the arm is stopped: the motors report disabled, but
+    still brake until the release. If the arm moves without a command, it names that motion, and
+    «Stopped» is shown only after the arm is measured at rest. A joint with a fault has a ring with
+    «!», enabled or not.
     """
 
     def __init__(self) -> None:

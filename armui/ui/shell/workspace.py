@@ -46,7 +46,8 @@ class PageWindow(ArmDialog):
         controller: Receives halt and emergency stop.
         page: The page in it.
         parent: The main window.
-        bar: What stands above the page: who moves the arm is seen where the main window is covered.
+        bar: The bar above the page, which shows who moves the arm, as the main window may be
+            covered.
 
     Signals:
         put_back_wanted: The page shall return to the main window.
@@ -156,7 +157,7 @@ class Workspace(QObject):
         controller: Receives the stops of the windows.
         keeper: Stores which pages were taken out, with their places.
         window: The main window.
-        bar: Makes what stands above each page in a window of its own.
+        bar: Makes the bar above each page in a window of its own.
     """
 
     def __init__(
@@ -267,7 +268,7 @@ class Workspace(QObject):
     def next_left_open(self) -> OpenWindow | None:
         """Return the next page that was open when the program ended, or ``None``.
 
-        Of those in the main window only that of the drawer is.
+        These are the pages in windows, and the visible page of the drawer.
         """
         return self._left_open.pop(0) if self._left_open else None
 

@@ -44,10 +44,11 @@ class MessageLine(QWidget):
 
     Args:
         parent: The parent widget.
-        keeps_room: True if its room is kept when there is no message. Below a table it is not: the
-            table's lower end gives way, and nothing else moves.
+        keeps_room: True if its room is kept when there is no message; not needed below a table,
+            which only becomes lower.
         lines: The least number of lines to have room for.
-        steady: True if one line more changes nothing, either: what stands above it must not move.
+        steady: True if there is room for one line more, so that a longer text moves nothing above
+            it.
     """
 
     def __init__(

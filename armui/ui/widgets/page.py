@@ -25,16 +25,15 @@ class Page(HasActs, Translated, QWidget):
 
     Args:
         key: Its name in the settings; pages of one kind share it.
-        parent: Qt's.
-        footed: True if its body scrolls by itself where there is little height, so that the footer
-            stays in sight.
+        parent: The parent widget.
+        footed: True if its body scrolls in a low window, so that the footer stays visible.
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
         first: The widget to focus at first; ``None`` for the page itself.
         body: The layout for its content.
         footer: The layout for its last buttons, from left to right.
-        leaves_at_escape: Whether Escape leaves it, as something opened from elsewhere.
+        leaves_at_escape: True if Escape leaves it.
 
     Signals:
         titled: Its title has changed.

@@ -18,7 +18,7 @@ _TYPED_PERCENT: Final = 999
 
 
 class _PercentBox(QSpinBox):
-    """A field whose steps stay within 0–100 %; what is typed beyond is refused in words."""
+    """A field whose steps stay within 0–100 %; for a typed figure beyond, the reason is shown."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -106,7 +106,7 @@ class TrackSlider(QSlider):
         return QSize(60, 24)
 
     def _place(self, value: float | None) -> float | None:
-        """Return where a value stands on the track, in half pixels: finer can't be seen."""
+        """Return a value's place on the track, rounded to half pixels: finer is not visible."""
         if value is None or self.maximum() == self.minimum():
             return None
         share = (self._steps(value) - self.minimum()) / (self.maximum() - self.minimum())

@@ -235,7 +235,7 @@ def disabling(danger: str, generation: Generation | None, state: ArmState) -> st
     """Return what disabling all joints does, the gripper included.
 
     Args:
-        danger: What it does to the arm.
+        danger: The text on the danger to the arm.
         generation: The protocol it speaks.
         state: The arm's state.
     """
@@ -356,8 +356,8 @@ def reached(is_reached: bool, *, left: bool = False) -> str:
     """Return whether the arm has arrived, byte 4, in words («已达指定点»).
 
     Args:
-        is_reached: As the arm reports it; it stays so when the arm sinks from there.
-        left: True if the arm is measured to move since, though nothing told it to.
+        is_reached: The arm's report; it stays true if the arm sinks from there.
+        left: True if the arm was measured to move since then without a command.
     """
     if is_reached and left:
         return QCoreApplication.translate("Reached", "Target left again")

@@ -1,4 +1,4 @@
-"""An arm that moves though nothing holds it or told it to, in the operator's language."""
+"""Uncommanded motion in the operator's language: of an arm that is not held, or has no command."""
 
 from __future__ import annotations
 

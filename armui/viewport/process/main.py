@@ -179,7 +179,7 @@ def run(connection: Connection) -> None:
 
 
 class _Drawing:
-    """The painter, the memory it paints into, and what was sent only once."""
+    """Draws on request, and keeps the memory and the path, which are sent only once."""
 
     def __init__(self, heart: Heartbeat) -> None:
         self._heart = heart

@@ -146,7 +146,7 @@ class Robot:
         """For each joint that opens the gripper its travel for each metre of opening, in m or rad.
 
         A finger travels half of it. A joint that only leads fingers, as in the maker's newer
-        descriptions, goes so far that both together travel all of it.
+        descriptions, travels so far that both fingers together travel all of it.
         """
         drawn = {part.link for part in self.parts}
         led: dict[str, list[float]] = {}

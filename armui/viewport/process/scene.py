@@ -88,7 +88,7 @@ class Stage:
         self._light()
 
     def stand(self, placement: tuple[float, ...]) -> None:
-        """Put the floor where the room has it, its middle below the base."""
+        """Place the floor at the height of the room's floor, centred below the base."""
         if placement != self._placement:
             self._placement = placement
             in_room = np.vstack((np.reshape(placement, (3, 4)), (0.0, 0.0, 0.0, 1.0)))

@@ -205,7 +205,7 @@ def _joint_count(path: Path, found: int) -> SceneError:
 
 
 def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ...]]:
-    """Return the name of the link everything stands on, and the joints, parents before children.
+    """Return the name of the base link, and the joints, parents before children.
 
     Raises:
         SceneError: there is no link, the links are no single tree, or a joint is wrong.
@@ -232,7 +232,7 @@ def _joints_from(roots: Sequence[str], joints: Sequence[yourdfpy.Joint]) -> list
     reached = list(roots)
     for link in reached:  # the children found here are appended, and visited in their turn
         for joint in joints:
-            # a link that was reached before would lead round a circle for ever
+            # visiting a link again would never end, if the joints form a circle
             if joint.parent == link and joint.child not in reached:
                 ordered.append(joint)
                 reached.append(joint.child)

@@ -85,7 +85,7 @@ class BaseTab(CellTab):
         return None if name is None else Mounting[name.upper()]
 
     def show_cell(self, why_not: str) -> None:
-        """Show where the base stands; what is typed stays while that is the same."""
+        """Show the place of the base; typed figures stay while the stored ones are the same."""
         self._why_not = why_not
         shown = (self._cell.placement,)
         if shown != self._shown:

@@ -143,7 +143,7 @@ class GripperTab(CellTab):
     # -- appearance ---------------------------------------------------------------------------
 
     def show_cell(self, why_not: str) -> None:
-        """Show the table of the chosen cell; what is typed stays while that is the same."""
+        """Show the table of the chosen cell; typed figures stay while that is the same."""
         self._why_not = why_not
         self._controller.gripper.learn_stroke()
         shown = self._cell.name, self._cell.gripper_table

@@ -216,7 +216,7 @@ class NamedTab(CellTab):
         ways = in_row(*((button, 1) for button in self._way.buttons()), spacing=6)
         in_column(ways, self._ways, on=self, spacing=8, margins=0)
 
-    # What is of one kind alone ---------------------------------------------------------------
+    # What a subclass defines -----------------------------------------------------------------
 
     def _texts(self) -> TabTexts:
         """Return the words of the tab."""
@@ -340,7 +340,7 @@ class NamedTab(CellTab):
     # Appearance ------------------------------------------------------------------------------
 
     def show_cell(self, why_not: str) -> None:
-        """Show the chosen cell; what is typed stays while the same one is chosen."""
+        """Show the chosen cell; typed figures stay while the same thing is chosen."""
         self._why_not = why_not
         self._choice.clear()
         self._choice.addItem(self._texts().none, "")

@@ -119,7 +119,7 @@ class TipByPoints(PointSearch):
             used.setChecked(True)
         self._show()
 
-    # -- what they tell -----------------------------------------------------------------------
+    # -- results ------------------------------------------------------------------------------
 
     @property
     def _used(self) -> list[int]:

@@ -367,7 +367,7 @@ class CartesianPanel(JogPanel):
             self._release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
-        """Jog by another step once the arm stands: MOVE L plans anew at each target."""
+        """Jog by another step only when the arm is at rest: MOVE L plans anew at each target."""
         if not self._operating_state.moving:
             self._on_stepped(place, direction)
 

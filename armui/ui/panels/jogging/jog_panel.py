@@ -153,7 +153,7 @@ class TargetRow(JogRow):
         self._after_target()
 
     def take_target(self, value: float) -> None:
-        """Set a target; if it equals the present one, the field goes on following the arm."""
+        """Set a target; if it equals the present one, the field still follows the arm."""
         before = self.field.value
         if before is None or abs(value - before) > _SAME:
             self.show_target(value)

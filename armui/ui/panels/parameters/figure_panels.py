@@ -32,7 +32,7 @@ _AT_LIMIT_DEG: Final = 0.5
 
 
 class JointSettingsPanel(ParameterPanel):
-    """Four limits of six joints; the Tab key goes down the columns."""
+    """Four limits of six joints; the Tab key moves down the columns."""
 
     buttons = ParameterPanel.buttons_of("joint_settings", ArmSettings.reset_joint_limits)
 
