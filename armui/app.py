@@ -142,8 +142,10 @@ ms a pressed stop would wait for the bus thread and for the simulated arm's.
 """
 
 _CONNECTED_MS: Final = 5000
+"""By this time after the start a first connection has loaded its libraries."""
 _PAINTED_MS: Final = 3000
 _THREADS_BEGUN_MS: Final = 500
+"""By this time after a device was opened its threads have begun, and can be raised."""
 _LOOK_AT_FILES_MS: Final = 1000
 """Disks that hang, and settings changed by other programs, are noticed within this time."""
 
@@ -347,6 +349,7 @@ class Program:
             logging.getLogger(name).removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
+        # before the controller, so that no client begins anything while it ends
         served_no_more = self.interface.end()
         self.ended = self.controller.shutdown() and served_no_more
         self.closed.set()
@@ -436,7 +439,7 @@ def run(options: StartOptions) -> int:
 def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
-    QApplication.setDesktopFileName("org.armui.armui")
+    QApplication.setDesktopFileName("org.armui.armui")  # by it a desktop finds the icon
     app = make_application(sys.argv[:1])
     GarbageSearch(app)  # before any other thread begins: it could run Python's own collector
     served = {"interface": options.api_on, "live": options.live_on}
@@ -493,6 +496,7 @@ def _run_window(
         keep_from_collector()
 
     if device is not None:
+        # the window shows from the start that it connects, although `begin` is called later
         program.controller.expect_device()
     program.window.show()
     AfterFirstPaint(program.window, begin)

@@ -52,6 +52,7 @@ LEASE_TOO_FAST = Reason(
 )
 
 GRANT_WITHIN_S: Final = 30.0
+"""A question that the operator has not answered by this time counts as refused."""
 SILENT_S: Final = 1.0
 """A client that has said nothing for this time loses the lease."""
 _FAULTS: Final = frozenset(

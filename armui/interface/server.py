@@ -276,6 +276,7 @@ class Server:
             if count > MOST_CALLS_PER_S:
                 await asyncio.sleep(began_s + 1.0 - now_s)
             self._take(session, line)
+            # until there is room nothing more is read, which slows the client down
             while session.waiting >= MOST_WAITING:
                 session.room.clear()
                 await session.room.wait()

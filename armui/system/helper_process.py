@@ -467,4 +467,4 @@ def _await_the_program() -> None:
     program = multiprocessing.parent_process()
     if program is not None:
         program.join()
-        os._exit(1)
+        os._exit(1)  # sys.exit would only end this thread

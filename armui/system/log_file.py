@@ -154,6 +154,7 @@ def log_to(folder: Path) -> Iterator[Path | None]:
         for name in LOGGERS:
             logging.getLogger(name).removeHandler(handler)
         logger.setLevel(level)
+        # the queue is full if the disk hangs: then do not wait for it
         with contextlib.suppress(queue.Full):
             handler.lines.put_nowait(None)
             thread.join()

@@ -417,7 +417,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         under_way |= gives_way(operating_state)
         at_stake = under_way or is_taught(self._controller) or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
-            event.ignore()
+            event.ignore()  # questions do not block: `_close_now` closes again after the answers
             close = partial(close_unless_moving, self, self._controller, self._close_now)
             self._leave_arm_then(self, close)
             return

@@ -194,6 +194,7 @@ class ChildProcess:
         Returns:
             The name of the signal that ended it, or its exit code.
         """
+        # wait first: a process that is ending tells by its exit code why
         self._process.join(_END_LIMIT_S / 2.0)
         self.kill()
         self._process.join(_END_LIMIT_S)

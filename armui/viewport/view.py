@@ -164,7 +164,7 @@ class ArmView(QWidget):
         self._rest.timeout.connect(self._on_rest)
         self._glance = QTimer(self, singleShot=True, interval=_GLANCE_MS)
         self._glance.timeout.connect(self._on_glance)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # the picture covers all of it
         self.setMinimumSize(240, 200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # moves without a button reveal that a button was released elsewhere, see `mouseMoveEvent`

@@ -43,7 +43,7 @@ class Drawer(Translated, QWidget):
     def __init__(self, pages: Mapping[str, PageEntry[Any]]) -> None:
         super().__init__()
         self.setObjectName("drawer")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self.setMinimumHeight(_LEAST_PX)
         self._pages = pages
         self._group = QButtonGroup(self)

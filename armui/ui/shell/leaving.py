@@ -70,6 +70,7 @@ def leave_then(
             panel.discard_changes()
         proceed()
 
+    # a new question replaces one that is still open for another way out
     for older in parent.findChildren(UnsavedQuestion):
         older.reject()
     question = UnsavedQuestion(controller, parent, left)

@@ -401,7 +401,7 @@ class SideMenu(Translated, QWidget):
     ) -> None:
         super().__init__()
         self.setObjectName("side_menu")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._entries = tuple(entries)
         self._folded = folded
         self.commands = [

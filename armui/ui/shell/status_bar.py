@@ -206,7 +206,7 @@ class StatusBar(Translated, QWidget):
     def __init__(self, controller: ArmController, *, with_notices: bool = True) -> None:
         super().__init__()
         self.setObjectName("status_bar")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._controller = controller
         self._event: Event | None = None
         self._entry: int | None = None

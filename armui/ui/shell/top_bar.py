@@ -534,7 +534,7 @@ class TopBar(Translated, QWidget):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("top_bar")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._controller = controller
         self._monitor = monitor
         self._communication = CommunicationButton()

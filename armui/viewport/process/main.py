@@ -91,7 +91,7 @@ def _end_with_the_program() -> None:
     program = parent_process()
     if program is not None:
         program.join()
-        os._exit(1)
+        os._exit(1)  # sys.exit would only end this thread
 
 
 class Heartbeat:

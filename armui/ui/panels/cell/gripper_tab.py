@@ -24,6 +24,7 @@ from armui.ui.words.text import Text
 _SHARES: Final = (0.1, 0.3, 0.5, 0.7, 0.9)
 """The proposed openings as shares of the stroke, away from its ends, where the fingers press."""
 _GENTLE_NM: Final = 1.0
+"""The torque while openings are measured: low, as hands and callipers are between the fingers."""
 
 
 class GripperTab(CellTab):

@@ -38,6 +38,7 @@ _BUTTON_PX: Final = 38
 _SEND_PX: Final = 110
 """The width of the buttons that send targets."""
 _FOLLOW_S: Final = 0.1
+"""The least time between two updates of fields that follow a moving arm."""
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
 """A key under the thumb of either hand, no letter, and none of the keys that stop the arm."""
 
