@@ -164,7 +164,7 @@ def swapped(now: Assignment, action: str, button: str) -> Assignment:
     for other, has in figures.items():
         if button and has == button and other != action:
             if not old and other not in OPTIONAL:
-                return now  # it would have no button
+                return now  # that action would have no button, but needs one
             figures[other] = old
     figures[action] = button
     return Assignment(**figures)

@@ -79,7 +79,7 @@ class UnhurriedHandler(logging.Handler):
             self.lines.put_nowait(self.format(record))
         except queue.Full:
             pass
-        except Exception:  # noqa: BLE001 - what cannot be put into words
+        except Exception:  # noqa: BLE001 - the record cannot be formatted
             self.handleError(record)
 
     def flush(self) -> None:

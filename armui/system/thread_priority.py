@@ -111,7 +111,7 @@ if sys.platform == "linux":
             PermissionError: it does not go that far.
         """
         for thread_id in thread_ids:
-            with contextlib.suppress(ProcessLookupError):  # it has just ended
+            with contextlib.suppress(ProcessLookupError):  # the thread has just ended
                 if os.getpriority(os.PRIO_PROCESS, thread_id) > NICE:
                     # processes started by this thread, such as a browser, get the ordinary priority
                     ordinary = os.SCHED_OTHER | os.SCHED_RESET_ON_FORK
@@ -133,7 +133,7 @@ if sys.platform == "linux":
         rtkit = DBusAddress("/org/freedesktop/RealtimeKit1", name, name)
         with open_dbus_connection(bus="SYSTEM") as connection:
             for thread_id in thread_ids:
-                with contextlib.suppress(ProcessLookupError):  # it has just ended
+                with contextlib.suppress(ProcessLookupError):  # the thread has just ended
                     if os.getpriority(os.PRIO_PROCESS, thread_id) > NICE:
                         asked = (os.getpid(), thread_id, NICE)
                         method = "MakeThreadHighPriorityWithPID"

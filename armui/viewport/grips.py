@@ -220,8 +220,8 @@ class GripDrag:
     def __init__(self, grip: Grip, projection: Projection, x_px: float, y_px: float) -> None:
         self.grip = grip
         self._projection = projection
-        self._radius_m = 0.0  # of the cylinder; 0: it is followed in its plane
-        self._first = square_to(grip.axis)  # where angles are counted from
+        self._radius_m = 0.0  # the cylinder's; 0 while the pointer is followed in the turn's plane
+        self._first = square_to(grip.axis)  # the direction of angle 0
         self._is_near = True
         ahead = sight(projection, grip.origin)
         if grip.kind is GripKind.JOINT and abs(dot(grip.axis, ahead)) <= EDGE_ON:
@@ -244,7 +244,7 @@ class GripDrag:
         if self.grip.kind is GripKind.AXIS:
             return (now - self._start) * 1000.0
         if self._radius_m > 0.0:
-            return now - self._start  # a wheel's angle grows without end
+            return now - self._start  # the angle of a wheel may exceed a whole turn
         # on the shorter way round from the last place: a ring can be turned more than once
         self._turns += (now - self._last + 180.0) % 360.0 - 180.0
         self._last = now

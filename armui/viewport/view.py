@@ -624,7 +624,7 @@ class ArmView(QWidget):
         self._fit_size()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Cancel a drag."""
+        """Cancel a drag, because its release would not be noticed."""
         super().hideEvent(event)
         self.give_up_drag()
 
@@ -763,13 +763,13 @@ class ArmView(QWidget):
             self._show(replace(self._state, pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
-        """Ask which link or mark is seen at a place."""
+        """Return a request for the link or mark at a place."""
         self._pick_serial += 1
         place = at * self._state.pixel_ratio
         return PickRequest(self._pick_serial, place.x(), place.y())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom."""
+        """Zoom by the notches of the wheel."""
         self._look_through(turn_wheel(event, self._state.camera))
         event.accept()
 

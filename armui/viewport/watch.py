@@ -39,10 +39,10 @@ class Limits:
 
 
 LIMITS: Final = {
-    PicturePhase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
-    PicturePhase.OPENING: Limits(10.0, 5.0),  # a graphics card that wakes up
-    PicturePhase.LOADING: Limits(10.0, 20.0),  # large meshes
-    PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # a driver compiles its shaders
+    PicturePhase.STARTING: Limits(60.0, 120.0),  # for a cold disk or a busy computer
+    PicturePhase.OPENING: Limits(10.0, 5.0),  # for a graphics card that has to wake up
+    PicturePhase.LOADING: Limits(10.0, 20.0),  # for large meshes
+    PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # for a driver that compiles its shaders
     PicturePhase.DRAWING: Limits(5.0, 1.0),
 }
 """Limits of silence are longer: other programs may delay the sending of signs of life."""
@@ -102,7 +102,7 @@ class PictureAge:
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:
-        """Note a newer state."""
+        """Note that a picture of a newer state was requested."""
         self._newer.append((sequence, now_s))
 
     def shown(self, sequence: int, now_s: float) -> None:

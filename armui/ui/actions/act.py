@@ -217,7 +217,7 @@ class Act(_Marks):
         """
         if self._held or self.reason(owner):
             return
-        self.show(owner)  # first, as a disabled button takes no click
+        self.show(owner)  # update it first: a disabled button takes no click
         self.button(owner).click()
 
     def reason(self, owner: HasActs) -> str:

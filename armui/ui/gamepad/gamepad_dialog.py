@@ -168,7 +168,7 @@ class AxisBar(QWidget):
         return self._value
 
     def show_value(self, value: float) -> None:
-        """Show a deflection."""
+        """Show a deflection, −1 to 1."""
         value = max(-1.0, min(1.0, value))
         if value != self._value:
             self._value = value

@@ -84,7 +84,7 @@ class MeasureChoice(QWidget):
 
     @property
     def buttons(self) -> list[QAbstractButton]:
-        """The two buttons."""
+        """The buttons for an opening and an angle, in this order."""
         return self._group.buttons()
 
     def show_choice(self, *, by_angle: bool, why_not: str) -> None:

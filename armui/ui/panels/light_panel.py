@@ -177,7 +177,7 @@ class ColorDialog(ArmDialog):
         for option in _PICKER:
             self._picker.setOption(option)
         self._picker.currentColorChanged.connect(self.picked)
-        self._picker.finished.connect(self.close)  # Escape in the picker
+        self._picker.finished.connect(self.close)  # Escape in the picker closes the dialog, too
         self.body.addWidget(self._picker)
         fill(self.footer, STRETCH, CloseButton(self))
         self.retranslate_ui()
@@ -325,14 +325,14 @@ class LightPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def focus_joint(self, joint: int) -> None:
-        """Choose a joint."""
+        """Choose the joint whose lamp is set, and focus its button."""
         button = self._joints.button(joint)
         button.setChecked(True)
         button.setFocus(Qt.FocusReason.OtherFocusReason)
         self._on_edited()
 
     def _figures(self) -> list[CommandField]:
-        """Return the fields that count now."""
+        """Return the fields whose figures would be sent."""
         lamp = () if self._all_lamps.isChecked() else (self.lamp,)
         return [*lamp, *(row.field for row in self._rows)]
 

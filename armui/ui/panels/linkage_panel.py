@@ -135,7 +135,7 @@ class LinkagePanel(Panel):
         )
 
     def _chosen(self) -> tuple[LinkageRole, dict[str, int]]:
-        """Return the role and the offsets."""
+        """Return the chosen role, and the chosen offsets by their names."""
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
         return LinkageRole(self._roles.checkedId()), offsets
 

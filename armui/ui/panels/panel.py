@@ -82,11 +82,11 @@ class Panel(HasActs, Translated, QWidget):
         raise NotImplementedError
 
     def _show_message(self) -> None:
-        """Say the one thing that matters most now."""
+        """Show the most important message now."""
         raise NotImplementedError
 
     def _show_state(self, state: ArmState) -> None:
-        """Show what the arm says."""
+        """Update what depends on the arm's state."""
 
     def _forget_outdated(self, old: OperatingState) -> None:
         """Drop the message if the operating state that explained it is over."""
@@ -238,7 +238,7 @@ class Panel(HasActs, Translated, QWidget):
     def event(self, event: QEvent) -> bool:
         """Divide the room again when its size or that of a part has changed."""
         room = event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}
-        done = super().event(event)  # this may delete the message
+        done = super().event(event)  # Qt may delete the event in this call
         if room:
             self._share_room()
         return done

@@ -205,7 +205,7 @@ class RecoveryLine(Translated, QWidget):
 
     def _on_operating_state_changed(self, now: OperatingState) -> None:
         if self._step is NO_DEVICE and now.link is LinkState.OPENING:
-            self._on_step_changed(OPENING)  # a device is still to come
+            self._on_step_changed(OPENING)  # `expect_device` has only changed the link
         elif self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
 
@@ -269,7 +269,7 @@ class RecoveryLine(Translated, QWidget):
         blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
-        policy.setRetainSizeWhenHidden(not step.held)  # a hidden button keeps its room
+        policy.setRetainSizeWhenHidden(not step.held)  # a hidden button keeps its width
         self._button.setSizePolicy(policy)
         self._button.setVisible(action is not None and not step.held)
         self._hold_button.setVisible(action is not None and step.held)

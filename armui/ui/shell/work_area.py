@@ -84,7 +84,7 @@ class WorkArea(QSplitter):
         self._turn(pages=False)
 
     def set_widths(self, panel_px: int, page_share: float) -> None:
-        """Set other widths."""
+        """Set the width of the panels in pixels, and the share of the width for pages."""
         self.panel_px, self.page_share = panel_px, page_share
         self.fit()
 

@@ -147,7 +147,7 @@ class PageHome(Protocol):
         """Show a page in front of the others."""
 
     def drop_page(self, page: Page) -> None:
-        """Release a page."""
+        """Remove a page from the region; it is not deleted."""
 
 
 class Workspace(QObject):

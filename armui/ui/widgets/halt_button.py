@@ -37,7 +37,7 @@ class HaltButton(Translated, PressButton):
         self.retranslate_ui()
 
     def act(self) -> None:
-        """End the motion."""
+        """End any motion with power on."""
         self._controller.halt_and_hold()
 
     def retranslate_ui(self) -> None:

@@ -44,7 +44,7 @@ class StopButton(Translated, PressButton):
     # -- behaviour ----------------------------------------------------------------------------
 
     def act(self) -> None:
-        """Stop the arm."""
+        """Send the emergency stop."""
         self._controller.emergency_stop()
 
     # -- appearance ---------------------------------------------------------------------------

@@ -70,7 +70,7 @@ class StopShortcut(QObject):
         if kind in _PRESSES and isinstance(event, QMouseEvent):
             return _press_behind_popup(event)
         if kind == QEvent.Type.ToolTip:
-            QTimer.singleShot(0, self, uncover)  # after the tooltip is shown
+            QTimer.singleShot(0, self, uncover)  # from the event loop, when the tooltip is visible
         elif kind == QEvent.Type.DragEnter:
             # during a drag, Qt's own filter takes every key: install this one in front of it
             QTimer.singleShot(0, self, self._go_first)

@@ -89,7 +89,7 @@ class TableHint(Translated, QWidget):
             widget.setVisible(room >= 0)
 
     def setVisible(self, visible: bool) -> None:  # noqa: N802 - Qt's name
-        """Show or hide it; where there are no rows nothing scrolls sideways."""
+        """Show or hide it; the horizontal scroll bar is off while it is shown."""
         super().setVisible(visible)
         never, needed = Qt.ScrollBarPolicy.ScrollBarAlwaysOff, Qt.ScrollBarPolicy.ScrollBarAsNeeded
         self._table.setHorizontalScrollBarPolicy(never if visible else needed)

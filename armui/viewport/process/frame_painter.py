@@ -125,7 +125,7 @@ class FramePainter:
         return self._render(self._scene, smooth=True)
 
     def close(self) -> None:
-        """Release the scene."""
+        """Release the scene and its graphics memory."""
         if self._scene is not None:
             self._scene.close()
             self._scene = None

@@ -80,7 +80,7 @@ def lower_priority() -> None:
     """
     if sys.platform == "linux":
         for thread in Path("/proc/self/task").iterdir():
-            with contextlib.suppress(OSError):  # it has just ended
+            with contextlib.suppress(OSError):  # the thread has just ended
                 if os.getpriority(os.PRIO_PROCESS, int(thread.name)) < _NICER_BY:
                     os.setpriority(os.PRIO_PROCESS, int(thread.name), _NICER_BY)
     elif hasattr(os, "nice"):

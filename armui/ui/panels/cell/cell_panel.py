@@ -504,7 +504,7 @@ class CellPanel(Panel):
 
 
 def _shown(value: object) -> str:
-    """Return a parameter's value for a list of differences."""
+    """Return a parameter's value as text for a list of differences; «—» for none."""
     if value is None or value == "":
         return fmt.NOTHING
     return f"{value:g}" if isinstance(value, float) else str(value)

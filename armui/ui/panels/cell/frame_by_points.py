@@ -69,7 +69,7 @@ class FrameByPoints(PointSearch):
         self._captured(keep)
 
     def restart(self) -> None:
-        """Forget the points."""
+        """Forget the points taken so far."""
         self._points = [None] * _POINTS
         self._show()
 

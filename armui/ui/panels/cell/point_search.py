@@ -56,7 +56,7 @@ class PointSearch(Translated, QWidget):
         raise NotImplementedError
 
     def restart(self) -> None:
-        """Forget the points."""
+        """Forget the points taken so far."""
         raise NotImplementedError
 
     def drop_others(self) -> bool:

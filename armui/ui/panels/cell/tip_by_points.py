@@ -112,7 +112,7 @@ class TipByPoints(PointSearch):
         self._show()
 
     def restart(self) -> None:
-        """Forget the poses."""
+        """Forget the poses taken so far."""
         self._poses.clear()
         self._turn_poses = [None, None]
         for used, _residual, _again in self._rows:

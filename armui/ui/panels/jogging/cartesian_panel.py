@@ -106,7 +106,7 @@ class PoseRow(TargetRow):
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         if self.minus.continuous:
             tip = self.tr("Moves along {axis} while it is held; let go to stop.")
         else:
@@ -510,7 +510,7 @@ class CartesianPanel(JogPanel):
         return None
 
     def _name_point(self) -> None:
-        """Say which point the figures are about."""
+        """Name the point whose pose is shown: the flange or the tool centre point."""
         with_tool = any(self._controller.cartesian.tool)
         text = self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
         name = self._controller.cell.tool_name

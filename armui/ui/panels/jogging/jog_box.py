@@ -88,7 +88,7 @@ class JogCell(JogRow):
         self.retranslate_ui()
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
-        """Show what is measured."""
+        """Show the measured value; muted if it is stale."""
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def retranslate_ui(self) -> None:

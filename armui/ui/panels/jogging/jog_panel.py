@@ -105,7 +105,7 @@ class JogRow(Translated, QWidget):
             enable_or_explain(button, why_not, tip)
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         return "", ""
 
 
@@ -192,7 +192,7 @@ class TargetRow(JogRow):
         self.edited.emit()
 
     def _after_target(self) -> None:
-        """Mark a text that is no figure."""
+        """Mark the field if its text is no figure."""
         self.field.show_attention(wanted=self.field.is_nonsense())
 
 

@@ -132,7 +132,7 @@ class JointRow(TargetRow):
         self.retranslate_ui()
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         if self.minus.continuous:
             hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
             tips = (hold, hold)

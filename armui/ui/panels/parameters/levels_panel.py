@@ -55,7 +55,7 @@ class LevelRow(QWidget):
 
     @property
     def level(self) -> int | None:
-        """The chosen level."""
+        """The chosen level, or ``None``."""
         level = self._group.checkedId()
         return None if level < 0 else level
 

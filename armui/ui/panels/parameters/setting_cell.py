@@ -148,7 +148,7 @@ class SettingCell(QWidget):
         status: CellStatus,
         text: str,
         *,
-        beyond: bool = False,  # noqa: ARG002 - used by cells with a field
+        beyond: bool = False,  # noqa: ARG002 - only cells with a field mark it
     ) -> None:
         """Show the state.
 
