@@ -1,9 +1,9 @@
 """Keeps exceptions within the functions that Qt calls: its events, and what it asks of a widget.
 
-PySide keeps an exception of such a function until the call from Python ends within which Qt has
-called it. Until then each further function of ours that Qt calls is left out, PySide 6.11.3 gives
-back a reference to it that is in use, so that it is freed sooner or later, and the exception may be
-lost. An exception that is told at once does none of this.
+PySide keeps an exception of such a function until the call from Python returns in which Qt called
+it. Until then PySide skips each further function of ours that Qt calls, PySide 6.11.3 releases a
+reference to it that is still in use, so that it is freed sooner or later, and the exception may be
+lost. None of this happens if the function reports its exception itself.
 """
 
 from __future__ import annotations

@@ -79,11 +79,11 @@ class Act(_Marks):
         does: The method of the controller's part that it leads to, declared as an operation.
         arguments: The arguments that the reason of the operation depends on.
         tip: The purpose in English, for the tooltip while it can be pressed; a ``Text`` as above.
-        whose: What a screen reader says before its text, as that belongs to it; True for the
-            heading of its owner, see :meth:`HasActs.heading`.
+        whose: The name of what it belongs to, which a screen reader reads before its text; True
+            for the heading of its owner, see :meth:`HasActs.heading`.
         key: The name of its command in the palette, which its shortcut has as well; "" for none.
-        shortcut: The name of its shortcut, where that has another one; "" if its keys are none of
-            the button, as they count in a list alone.
+        shortcut: The name of its shortcut, if it is not `key`; "" if the button has no keys,
+            because they only work in a list.
         title: The title in the palette; without it that of the shortcut or of the operation, or
             its text.
         needs: As in :class:`Command`.
