@@ -508,6 +508,8 @@ def _run_window(
 class AfterFirstPaint(QObject):
     """Begins long work once a window is painted: before, it would delay the window's first paint.
 
+    The libraries of a connection alone take 20 s to load on a busy computer.
+
     Args:
         window: The window; one that is not painted, as a minimised one, is waited for 3 s.
         begin: Called once.

@@ -73,6 +73,19 @@ class _Marks:
 class Act(_Marks):
     """A button with its action, its reason, its texts and its command, declared once.
 
+    It is a class attribute of the widget that shows it. Read from an instance, it gives that
+    instance's button, created at the first use. Its texts are translated in the context of the
+    class. What does not fit into one line is a method of the class, marked by a decorator::
+
+        confirm = Act("Confirm", named="light_confirm_button", does=Lights.set_light)
+
+        @confirm.pressed
+        def _on_confirm(self) -> None: ...
+
+    It can be pressed while neither its operation nor `needs` gives a reason against it; a method
+    marked by :meth:`why_not` replaces both. An act without :meth:`pressed` gets a menu from its
+    owner.
+
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
         named: Its object name.
