@@ -146,7 +146,7 @@ class TeachingExitSteps(QFrame):
             label.setFont(font)
             sign = "✓" if number < self._due else "▸" if number == self._due else ""
             if number < min(self._due, 3) and not self._led:
-                sign = "–"  # released without being led home, because the arm was stopped earlier
+                sign = "–"  # skipped: a stop came before the arm was led back
             self._signs[number - 1].setText(sign)
             label.setText(f"{number}. {self._words()[number - 1]}")
 

@@ -106,7 +106,7 @@ class NamedTab(CellTab):
         """Return the buttons that change the things of a tab.
 
         Args:
-            part: As of the tab.
+            part: The `part` of the tab.
             titles: Their titles in the palette.
         """
         acts = {
