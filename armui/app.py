@@ -142,8 +142,10 @@ ms a pressed stop would wait for the bus thread and for the simulated arm's.
 """
 
 _CONNECTED_MS: Final = 5000
+"""By this time after the start a first connection has loaded its libraries."""
 _PAINTED_MS: Final = 3000
 _THREADS_BEGUN_MS: Final = 500
+"""By this time after a device was opened its threads have begun, and can be raised."""
 _LOOK_AT_FILES_MS: Final = 1000
 """Disks that hang, and settings changed by other programs, are noticed within this time."""
 
@@ -161,7 +163,7 @@ _LATE_ROOMS: Final = (
     "interface",
     "ui",
 )
-"""The rooms with modules that a page imports when it is opened."""
+"""The packages with modules that a page imports when it is opened."""
 
 
 def may_drive(modules: Collection[str]) -> bool:
@@ -201,8 +203,8 @@ class Program:
         hand: Gives access to the hand that leads the simulated arm of this program; by default
             none.
         clock: Monotonic time in seconds, the controller's.
-        socket: That of the local interface; the user's own by default.
-        for_clients: Runs the checks of its clients, for which the operator's own never wait; by
+        socket: The socket of the local interface; the user's own by default.
+        for_clients: Runs the checks of clients, so that those of the operator never wait; by
             default the workers.
 
     Attributes:
@@ -285,7 +287,7 @@ class Program:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
-        # Begun by the event loop, once the window stands.
+        # called by the event loop after the window is built, so as not to delay its first paint
         QTimer.singleShot(0, self._relay, self._switch_served)
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
@@ -302,7 +304,7 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def note_version(self, trajectories: Path) -> None:
-        """Note which version uses the user's files, and what it takes over, by the file thread."""
+        """Note in a file which version uses the user's files, and whether another did before."""
         settings = self._store.settings
         sessions = Path(settings.session_folder) if settings.session_folder else paths.sessions()
         places = {"trajectories": trajectories, "sessions": sessions}
@@ -313,7 +315,7 @@ class Program:
         noted.add_done_callback(_log_unnoted)
 
     def look_at_folders(self) -> None:
-        """Tell the operator once where nothing can be kept; the file thread looks."""
+        """Report once to the operator which folders cannot be written; the file thread checks."""
 
         def tell(looked: Future[tuple[ClosedFolder, ...]]) -> None:
             if not looked.cancelled() and looked.exception() is None and looked.result():
@@ -347,10 +349,11 @@ class Program:
             logging.getLogger(name).removeHandler(self._failure_handler)
         self._app.removeEventFilter(self._stop_shortcut)
         self._stop_shortcut.deleteLater()
+        # before the controller, so that no client begins anything while it ends
         served_no_more = self.interface.end()
         self.ended = self.controller.shutdown() and served_no_more
         self.closed.set()
-        self.ended = self.live.end() and self.ended  # its process may take a moment
+        self.ended = self.live.end() and self.ended  # its process may need a moment to end
         if self._event_keeper is not None:
             self._event_keeper.close()
         if self._files is not None:
@@ -364,7 +367,7 @@ class Program:
             self._instances.close()
 
     def _on_failed(self, failure: Failure) -> None:
-        """End motion if the failing code may drive the arm; then tell the operator (S23)."""
+        """End motion if the failing code may drive the arm; then show the failure (S23)."""
         ended = may_drive(failure.modules)
         if ended:
             self.controller.on_failure()
@@ -428,7 +431,7 @@ def run(options: StartOptions) -> int:
         try:
             return _run(options)
         except Exception:
-            # whoever starts it from a desktop sees no terminal
+            # a program started from a desktop has no terminal: the error goes to the log
             _LOG.exception("The program ends before its window has done its work")
             raise
 
@@ -436,9 +439,9 @@ def run(options: StartOptions) -> int:
 def _run(options: StartOptions) -> int:
     sys.setswitchinterval(_SWITCH_INTERVAL_S)
     QCoreApplication.setApplicationName("armui")
-    QApplication.setDesktopFileName("org.armui.armui")
+    QApplication.setDesktopFileName("org.armui.armui")  # by it a desktop finds the icon
     app = make_application(sys.argv[:1])
-    GarbageSearch(app)  # before any other thread begins
+    GarbageSearch(app)  # before any other thread begins: it could run Python's own collector
     served = {"interface": options.api_on, "live": options.live_on}
     chosen: dict[str, object] = {name: True for name, on in served.items() if on}
     if options.language is not None:
@@ -448,7 +451,7 @@ def _run(options: StartOptions) -> int:
     arms = SimulatedArms(options.sim_firmware, options.sim_joints_deg)
     device = _started_with(options, store)
     if device is not None and device.simulated:
-        arms.begin(device)  # it loads while the window is built
+        arms.begin(device)  # it loads in a thread while the window is built
     controller = ArmController(partial(open_device, arms=arms), SIMULATED)
     program = Program(
         app,
@@ -467,7 +470,7 @@ def _run(options: StartOptions) -> int:
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, options, device, system_end)
     if not program.ended:
-        # a driver hangs: what it holds can be neither waited for nor destroyed
+        # a driver hangs in a thread: a normal exit would wait for that thread without end
         logging.shutdown()
         os._exit(code)
     arms.end()
@@ -493,6 +496,7 @@ def _run_window(
         keep_from_collector()
 
     if device is not None:
+        # the window shows from the start that it connects, although `begin` is called later
         program.controller.expect_device()
     program.window.show()
     AfterFirstPaint(program.window, begin)
@@ -502,7 +506,7 @@ def _run_window(
 
 
 class AfterFirstPaint(QObject):
-    """Begins what takes long once a window has been painted, so that it does not stand there black.
+    """Begins long work once a window is painted: before, it would delay the window's first paint.
 
     The libraries of a connection alone take 20 s to load on a busy computer.
 
@@ -515,7 +519,7 @@ class AfterFirstPaint(QObject):
         super().__init__(window)
         self._timer = QTimer(self, singleShot=True, interval=_PAINTED_MS)
         self._timer.timeout.connect(begin)
-        # counted by the event loop: it may begin late
+        # started by the event loop: time that the constructors still take does not count
         QTimer.singleShot(0, self._timer, self._timer.start)
         window.installEventFilter(self)
 
@@ -528,7 +532,7 @@ class AfterFirstPaint(QObject):
 
 
 def _load_pages_when_idle(app: QApplication, then: Callable[[], object]) -> None:
-    """Load the pages while the operator has not asked for any yet.
+    """Load the pages' modules one by one while the event loop has nothing else to do.
 
     Args:
         app: Qt's application.

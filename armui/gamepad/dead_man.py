@@ -28,7 +28,7 @@ UNATTENDED_S: Final = 10.0
 """A hold ends after this time without any movement of the device."""
 
 SIGN_OF_A_HAND: Final = 0.03
-"""A smaller movement of an axis may be noise: the last digits of a stick never stand still."""
+"""A smaller movement of an axis may be noise: the value of a resting stick fluctuates."""
 
 _STILL: Final = (0.0,) * 6
 
@@ -107,7 +107,7 @@ class DeadMan:
             self._seen_up = True
             self.hold = DeviceHold()
         elif not self._seen_up:
-            # pressed before this program looked: release it first
+            # pressed before the first reading: it must be released once before it counts
             self.hold = DeviceHold(HoldPhase.SPENT)
         elif self.hold.phase is not HoldPhase.SPENT:
             self.hold = self._held(state, mode, now_s, one_axis=one_axis)
@@ -142,7 +142,8 @@ class DeadMan:
         rates = tuple(shaped(each, dead_zone) for each in asked)
         if one_axis:
             rates = self._only_one(rates)
-        if not any(rates):  # the one axis that may move is at rest again, and others are not
+        # the one axis that may move is at rest again, while others are still pushed
+        if not any(rates):
             return DeviceHold(HoldPhase.OFF_CENTRE)
         share = speed_share(state)
         return DeviceHold(HoldPhase.MOVING, tuple(share * rate for rate in rates))
@@ -153,7 +154,7 @@ class DeadMan:
         return tuple(rate if place == self._axis else 0.0 for place, rate in enumerate(rates))
 
     def _watch_hand(self, state: DeviceState, now_s: float) -> None:
-        """Note when the device last showed that somebody has it in hand."""
+        """Note the time of the last change of a button or of an axis by more than noise."""
         before = self._reference
         if before is None or before.buttons != state.buttons or _moved(before, state):
             self._reference, self._moved_s = state, now_s

@@ -155,7 +155,7 @@ class DeviceReader:
             backend.open()
         except ImportError:
             self._missing = (*self._missing, backend.package)
-        except Exception as error:  # noqa: BLE001 - a library of others; what it says is shown
+        except Exception as error:  # noqa: BLE001 - from another's library: its message is shown
             self._note(backend, "open", error)
         else:
             return True
@@ -189,7 +189,7 @@ class DeviceReader:
         )
         before, self._before = self._before, {each.info.key: each for each in states}
         for state in states:
-            # what is down when a device comes was not pressed now
+            # buttons that are down when a device appears are not reported as pressed
             old = before.get(state.info.key, state)
             if old.buttons != state.buttons:
                 down, up = state.buttons - old.buttons, old.buttons - state.buttons

@@ -1,8 +1,8 @@
 """The functions of axes and buttons, and the speeds of axes; pure.
 
 A gamepad has the layout that SDL gives every gamepad it knows: two sticks, two triggers, the four
-buttons a, b, x, y, shoulders, and a cross. Of a stick, right and down are positive. The six axes of
-a SpaceMouse are named as the arm's, X away from the operator, Y to the left, Z upwards.
+buttons a, b, x, y, shoulders, and a cross. On a stick, right and down are positive. The six axes of
+a SpaceMouse have the names of the arm's axes: X away from the operator, Y to the left, Z upwards.
 """
 
 from __future__ import annotations
@@ -133,12 +133,12 @@ DEFAULTS: Final[Mapping[DeviceKind, Assignment]] = {
 
 
 def assignment(kind: DeviceKind, kept: Mapping[str, str] | None) -> Assignment:
-    """Return the stored assignment of a device, or the default if that cannot be used."""
+    """Return the stored assignment of a device, or the default one if it is missing or invalid."""
     first = DEFAULTS[kind]
     if kept is None:
         return first
     figures = asdict(first) | {name: kept[name] for name in ACTIONS if name in kept}
-    # what was kept before there was the action may have given its button to another one
+    # an assignment stored before there were episodes may use their default button otherwise
     if "episode" not in kept and figures["episode"] in kept.values():
         figures["episode"] = ""
     wanted = Assignment(**figures)
@@ -164,7 +164,7 @@ def swapped(now: Assignment, action: str, button: str) -> Assignment:
     for other, has in figures.items():
         if button and has == button and other != action:
             if not old and other not in OPTIONAL:
-                return now  # it would have no button
+                return now  # that action would have no button, but needs one
             figures[other] = old
     figures[action] = button
     return Assignment(**figures)

@@ -17,10 +17,10 @@ _BUTTONS: Final = (
 _FULL: Final = 32767.0
 _SPACE_MOUSE_VENDOR: Final = 0x256F
 _HINTS: Final = {
-    b"SDL_NO_SIGNAL_HANDLERS": b"1",
+    b"SDL_NO_SIGNAL_HANDLERS": b"1",  # Ctrl-C and SIGTERM belong to the program
     # the windows are Qt's: SDL has none that could have the focus
     b"SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": b"1",
-    b"SDL_JOYSTICK_THREAD": b"1",
+    b"SDL_JOYSTICK_THREAD": b"1",  # on Windows: detect devices in a thread of SDL's own
 }
 
 
@@ -36,7 +36,7 @@ class SdlGamepads:
 
     def open(self) -> None:
         """Load SDL and start its gamepads."""
-        # The import warns about where its binaries come from.
+        # the package warns at import about where its SDL library comes from
         warnings.filterwarnings("ignore", message="Using SDL2 binaries")
         import sdl2  # noqa: PLC0415 - an extra, loaded when it is wanted
 
@@ -53,7 +53,7 @@ class SdlGamepads:
         """Return the present state of the gamepads."""
         sdl = self._sdl
         sdl.SDL_GameControllerUpdate()
-        # nobody takes the events that tell of devices: they must not pile up
+        # the state is polled and nobody reads SDL's event queue: empty it, or it would fill up
         sdl.SDL_FlushEvents(sdl.SDL_FIRSTEVENT, sdl.SDL_LASTEVENT)
         self._open_new()
         states = []
@@ -80,6 +80,7 @@ class SdlGamepads:
         unusable = []
         for place in range(sdl.SDL_NumJoysticks()):
             if not sdl.SDL_IsGameController(place):
+                # a SpaceMouse is no gamepad either, but the other back-end reads it
                 if sdl.SDL_JoystickGetDeviceVendor(place) != _SPACE_MOUSE_VENDOR:
                     unusable.append(_text(sdl.SDL_JoystickNameForIndex(place)))
                 continue
@@ -95,6 +96,7 @@ class SdlGamepads:
 
     def _state(self, info: DeviceInfo, pad: Any) -> DeviceState:
         sdl = self._sdl
+        # SDL's axes reach from −32768 to 32767
         axes = {
             name: max(-1.0, sdl.SDL_GameControllerGetAxis(pad, place) / _FULL)
             for place, name in enumerate(_AXES)

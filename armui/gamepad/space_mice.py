@@ -130,7 +130,7 @@ class SpaceMice:
         for path, mouse in list(self._mice.items()):
             try:
                 _take_reports(mouse, now_s)
-            except (OSError, ValueError):  # hidapi tells a device that is gone by either
+            except (OSError, ValueError):  # raised by hidapi when the device was unplugged
                 mouse.device.close()
                 del self._mice[path]
                 continue
@@ -159,5 +159,5 @@ def _is_space_mouse(found: dict[str, Any]) -> bool:
     page, usage = found.get("usage_page", 0), found.get("usage", 0)
     if page:
         return bool(page == _GENERIC_DESKTOP and usage == _MULTI_AXIS)
-    # where hidapi does not tell what a device is for
+    # hidapi on this system does not report what a device is for: decide by its maker and product
     return found["vendor_id"] == _VENDORS[0] or found["product_id"] in _OLD_PRODUCTS

@@ -1,4 +1,4 @@
-"""What clients are told of the program and the arm, but for its measured state."""
+"""The answers to clients about the program and the arm, except for the measured state."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def hello(controller: ArmController, client: int) -> Json:
-    """Return what a client is told first, which has this number."""
+    """Return the answer to a client's first call: program, arm, limits, rates and its number."""
     now = controller.operating_state
     return {
         "program": "armui",
@@ -54,7 +54,7 @@ def hello(controller: ArmController, client: int) -> Json:
 
 
 def operations(controller: ArmController) -> list[Json]:
-    """Return the operations that a client can ask for, each with what speaks against it now."""
+    """Return the operations that clients can call, each with the reason against it now."""
     now = controller.operating_state
     listed = []
     for bound in offered(controller.operations):
@@ -81,7 +81,7 @@ def forward(controller: ArmController, joints_deg: Sequence[float]) -> Json:
 def inverse(
     controller: ArmController, flange_pose_mm_deg: Sequence[float], near_deg: Sequence[float] | None
 ) -> Json:
-    """Return the angles of a pose within the limits, nearest first to others, or the measured."""
+    """Return the angles for a pose within the limits, nearest to given or measured ones first."""
     from armui.kinematics.poses import Pose  # noqa: PLC0415 - numpy
 
     near = near_deg or controller.state.angles_deg() or (0.0,) * len(JOINTS)

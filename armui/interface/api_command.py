@@ -1,4 +1,4 @@
-"""`armui api`: what the local interface offers, for whoever writes a client."""
+"""`armui api`: prints the methods of the local interface, for authors of clients."""
 
 from __future__ import annotations
 

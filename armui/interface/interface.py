@@ -1,4 +1,4 @@
-"""The local interface: what a client asks for is done here, in the window's thread (S29, S30).
+"""The local interface: carries out the calls of clients in the window's thread (S29, S30).
 
 Every operation passes the same checks as a press: it is called by its id, and every motion passes
 the gate. The operator grants the lease and each consent by a held press, and ends both at any time.
@@ -82,14 +82,13 @@ _RUN: Final = "run.start"
 _OF_LIBRARY: Final = ("trajectory.list", "trajectory.get", "trajectory.check", "trajectory.plan")
 _OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
 _MOST_MOVING: Final = 64
-"""The newest operations of a lease: among them, and those that have not ended, are the motion under
-way and the one that waits."""
+"""The newest motions of a lease are kept, ended or not; older ones while they are under way."""
 _LONGEST_TEXT: Final = 200
 
 
 @dataclass(frozen=True, slots=True)
 class Shelf:
-    """The library, as clients have it.
+    """The library for clients.
 
     Attributes:
         works: Runs their checks, and reads its files.
@@ -122,9 +121,9 @@ class Interface(QObject):
         controller: Carries everything out.
         path: The socket.
         clock: Monotonic time in seconds, the controller's.
-        grants_itself: True where no operator is: everything is granted, and nobody is asked. Only
+        grants_itself: True if there is no operator: everything is granted without a question. Only
             for a simulated arm on a bus of its own.
-        shelf: The library; without one its methods are not there.
+        shelf: The library; without one its methods fail.
 
     Signals:
         changed: A :class:`InterfaceView`, when it differs.
@@ -200,7 +199,7 @@ class Interface(QObject):
 
     @property
     def view(self) -> InterfaceView:
-        """What the window shows now."""
+        """What the window shows of the interface now."""
         return self._view
 
     def seconds_since(self, at_s: float) -> float:
@@ -218,7 +217,7 @@ class Interface(QObject):
         self._show()
 
     def _open(self) -> Refusal | None:
-        system: str = sys.platform  # its type: checked for every system
+        system: str = sys.platform  # as a str, so that mypy checks the code for every system
         if system != "linux":
             return reasons.INTERFACE_NOT_HERE()
         from armui.interface.server import Server  # noqa: PLC0415 - asyncio
@@ -237,7 +236,7 @@ class Interface(QObject):
 
     def _on_opened(self, server: Server, error: OSError | None) -> None:
         if server is not self._server:
-            return  # it was switched off meanwhile
+            return  # the interface was switched off meanwhile
         if error is None:
             self._serves = True
             self._timer.start()
@@ -263,7 +262,7 @@ class Interface(QObject):
         return server is None or server.stop()
 
     def grant(self, max_speed_percent: int, *, for_session: bool = False) -> None:
-        """Grant the arm to who asks for it; the operator has held the button."""
+        """Grant the arm to the client that asks for it; the operator has held the button."""
         lease = self._lessor.grant(max_speed_percent, self._clock(), for_session=for_session)
         if lease is not None:
             self._granted(lease)
@@ -285,7 +284,7 @@ class Interface(QObject):
         self._show()
 
     def decline(self) -> None:
-        """Refuse the arm to who asks for it."""
+        """Refuse the arm to the client that asks for it."""
         self._give_up_asking(LEASE_DECLINED())
 
     def take_back(self) -> None:
@@ -293,7 +292,7 @@ class Interface(QObject):
         self._end_lease(LEASE_TAKEN_BACK())
 
     def consent(self, *, given: bool) -> None:
-        """Let the client do what it asks for, or not; the operator has held the button, or not."""
+        """Pass on the operator's answer to a question for consent, given by a held button."""
         if not given:
             self._refuse_consent(LEASE_DECLINED())
             return
@@ -309,7 +308,7 @@ class Interface(QObject):
         self._show()
 
     def _refuse_consent(self, reason: Refusal) -> None:
-        """Answer the call that waits for the operator's consent, and drop it."""
+        """Answer the call that waits for the operator's consent with a refusal, and drop it."""
         waiting = self._consent
         if self._run is not None and self._run[0] is waiting:
             self._give_up_run(reason)
@@ -344,7 +343,7 @@ class Interface(QObject):
         self._show()
 
     def _carry_out(self, waiting: _Waiting) -> object:
-        """Do what is asked for; return the answer, or ``None`` if it follows later."""
+        """Carry out a call; return the answer, or ``None`` if it follows later."""
         call = waiting.call
         own = self._methods.get(call.method)
         if own is not None:
@@ -393,7 +392,7 @@ class Interface(QObject):
             self.grant(max_speed_percent)
 
     def _why_no_lease(self) -> Refusal | None:
-        """Return why nobody can be granted the arm now, or ``None``."""
+        """Return why no client can be granted the arm now, or ``None``."""
         now, self._began = self._controller.operating_state, None
         return now.unreachable or self._why_over(now, self._controller.mark)
 
@@ -413,16 +412,16 @@ class Interface(QObject):
         self._show()
 
     def _end_lease(self, reason: Refusal) -> None:
-        """End the lease, drop what belongs to it, and halt a motion of it with power on."""
+        """End the lease and all that depends on it, and halt the client's motion with power on."""
         lease = self._lessor.end()
         if lease is None:
             return
         if reason.reason != LEASE_RELEASED:
-            # who stepped in, or what went wrong, is not passed over by a grant of before
+            # a grant for the whole session ends, too: the operator has to decide again
             self._lessor.take_back(lease.ask.client)
         self._end_stream()
         self._doing = None
-        # a stop has gone out and says more; of another's motion, the operator's too, nothing ends
+        # the stop has ended every motion; else only the client's own ends, not the operator's
         if reason.reason != LEASE_STOPPED:
             self._controller.end_motion_of(self._moving)
         self._moving.clear()
@@ -432,12 +431,12 @@ class Interface(QObject):
             if self._holder is not None:
                 self._server.tell("lease", params, self._holder)
             self._holder = None
-        self._refuse_consent(reason)  # told after the lease's end, by which the client reads it
+        self._refuse_consent(reason)  # last, so that the client first reads that the lease ended
         self._give_up_run(reason)
         self._show()
 
     def _cap_speed(self, lease: Lease) -> None:
-        """Lower the operator's speed to what he has granted, where it is higher."""
+        """Lower the operator's speed to the granted one if it is higher."""
         if self._controller.motion.speed_percent > lease.max_speed_percent:
             self._calling = True
             try:
@@ -452,10 +451,10 @@ class Interface(QObject):
         lease = None if operation.id in UNLEASED else self._lease_of(waiting)
         if operation.moves and lease is not None and not lease.ask.moves:
             raise refused(LEASE_MOVES_NOTHING())
-        taken(bound.carry_out, waiting.call.params)  # what is malformed asks nobody
+        taken(bound.carry_out, waiting.call.params)  # raises before the operator is asked
         if operation.id == "motion.set_speed" and lease is not None:
             percent = waiting.call.params["percent"]
-            if self._slowed:  # the operator's speed holds: the client may only go slower
+            if self._slowed:  # the operator has set a speed: the client may only go slower
                 his = self._controller.motion.speed_percent
                 self._most_percent, self._slowed = min(lease.max_speed_percent, his), False
             if percent > self._most_percent:
@@ -464,7 +463,7 @@ class Interface(QObject):
         self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
         height_mm = waiting.call.params.get("agreed_mm", 0.0)
         agrees = height_mm != 0.0 and check_figure("agreed_mm", height_mm, AGREED) is None
-        # it is the operator who agrees
+        # only the operator can agree that a motion goes below the floor
         if (asks(operation) or agrees) and not self._grants_itself:
             if self._consent is not None:
                 raise refused(reasons.CONSENT_BUSY())
@@ -488,7 +487,7 @@ class Interface(QObject):
         self._consent = waiting
 
     def _by_client(self, act: Callable[[], Any], *, moves: bool = True) -> Any:
-        """Call what a client has asked for, and return what it returns."""
+        """Call a function for a client: `_on_begun` must not take it for the operator's act."""
         lease = self._lessor.held
         if moves:
             if lease is not None:
@@ -508,7 +507,8 @@ class Interface(QObject):
             self._answer(waiting, wrong)
             return
         act = partial(bound.carry_out, *positional, **named)
-        operation = bound.operation  # the gripper moves beside the joints
+        operation = bound.operation
+        # the gripper moves independently of the joints, so that it does not end the stream
         moves = operation.moves and not operation.id.startswith("gripper.")
         begun = self._by_client(act, moves=moves)
         if isinstance(begun, Refusal):
@@ -521,7 +521,7 @@ class Interface(QObject):
 
     def _follow_outcome(self, session: ClientSession, started: Started) -> None:
         self._followed.append(_Followed(session, started))
-        if started.operation not in UNLEASED:  # the rest is what the lease does
+        if started.operation not in UNLEASED:  # marks in the log are not ended with the lease
             kept = self._moving[-_MOST_MOVING:]
             going = [each for each in self._moving[:-_MOST_MOVING] if each.ending is None]
             self._moving = [*going, *kept, started]
@@ -565,7 +565,7 @@ class Interface(QObject):
         self._library().ask(method, waiting.session.client.number, answer, **named)
 
     def _run_trajectory(self, waiting: _Waiting, *, name: str, cycles: int, first_row: int) -> None:
-        """Have a trajectory checked and run, with the questions of the operator's own press."""
+        """Have a trajectory checked and run; the operator is asked as before a run of his own."""
         if not self._lease_of(waiting).ask.moves:
             raise refused(LEASE_MOVES_NOTHING())
         if self._run is not None:
@@ -576,11 +576,11 @@ class Interface(QObject):
             *(name, cycles, first_row), partial(self._on_run, waiting), self._give_up_run
         )
         self._run = waiting, request
-        self._end_stream()  # as with any motion: it ends what the client did before
+        self._end_stream()  # as with any motion of the client, the stream ends first
         request.begin()
 
     def _on_run(self, waiting: _Waiting, request: RunRequest) -> None:
-        """Answer a run once it has begun, or is refused; ask the operator where he has to agree."""
+        """Answer a run when it has begun or is refused; ask the operator to accept findings."""
         if self._run is None or self._run[1] is not request:
             return
         begun, checked = self._library().runner.begun, request.checked
@@ -625,9 +625,9 @@ class Interface(QObject):
         server.answer_target(target, value)
 
     def _follow(self, target: Target) -> Refusal | EventOutcome | None:
-        """Have the arm follow a target; return why it does not, or why not the one before.
+        """Have the arm follow a target; return why not, or why the target before was not followed.
 
-        Where the stream has ended by itself since, that is why: the next target begins another.
+        If the stream has ended by itself, its reason is returned; the next target begins another.
         """
         lease = self._lessor.lease_of(target.session.client, target.lease)
         if isinstance(lease, Refusal):
@@ -681,7 +681,7 @@ class Interface(QObject):
     # Over time --------------------------------------------------------------------------------
 
     def tick(self, _state: object = None) -> None:
-        """Look whether the lease goes on, and tell what has become of the operations."""
+        """End the lease if there is a reason by now, and report the progress of operations."""
         if self._server is None:
             return
         now_s, now = self._clock(), self._controller.operating_state
@@ -706,9 +706,9 @@ class Interface(QObject):
         self._show()
 
     def _why_over(self, now: OperatingState, mark: ArmMark | None) -> Refusal | None:
-        """Return why nobody but the operator may have the arm now, or ``None``.
+        """Return why no client may have the arm now, or ``None``.
 
-        A stop or a fault that the operator has granted the arm in ends nothing: it is to be left.
+        A stop or fault at the time of the grant does not end the lease: it is to be recovered from.
         """
         if mark is None or now.unreachable or not mark.is_still(self._controller.mark):
             return LEASE_ARM_CHANGED()
@@ -725,7 +725,7 @@ class Interface(QObject):
         return None
 
     def _tell_outcomes(self) -> None:
-        """Tell each client how its operations go on and end."""
+        """Report to each client each change in the progress of its operations, and how they end."""
         server = self._server
         if server is None:
             return

@@ -1,4 +1,4 @@
-"""What the window shows of the local interface, and asks the operator for a client: data."""
+"""The data that the window shows of the local interface, with the questions of clients."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ class Consented:
     """A call that waits for the operator's held press.
 
     Attributes:
-        client: Whose it is.
+        client: The client that calls.
         operation: The id of the operation.
         title: Its title in English.
-        arguments: What it is called with.
-        since_s: Monotonic time.
-        findings: What the check of a run has found, which the operator has to accept.
+        arguments: The arguments by name.
+        since_s: The monotonic time of the call.
+        findings: The findings of the check of a run, which the operator must accept.
     """
 
     client: Client
@@ -40,14 +40,14 @@ class InterfaceView:
 
     Attributes:
         on: True while it is served.
-        problem: Why it is not, though it is switched on.
+        problem: The reason why it is not served although it is switched on.
         path: The socket.
-        clients: Who is connected.
-        asked: Who asks for the arm.
-        lease: The lease.
-        doing: What its holder does now, the id of an operation, or ``stream.target``; "" for
-            nothing.
-        consent: What the operator is asked to let a client do.
+        clients: The connected clients.
+        asked: The request for the arm that waits for the operator.
+        lease: The lease in force.
+        doing: The id of the operation that its client carries out now, or ``stream.target``; "" for
+            none.
+        consent: The call for which the operator's consent is asked.
     """
 
     on: bool = False

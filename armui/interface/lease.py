@@ -1,7 +1,7 @@
-"""The lease of the arm: who asked for it, who holds it, and what ends it (S29): pure.
+"""The lease of the arm: the request, its client, and the reasons that end it (S29): pure.
 
-One client at a time asks or holds. A lease has a number that counts up over the whole program, and
-each command names it: what belongs to an ended lease is dropped wherever it waits.
+One client at a time asks or holds. Each lease has a new number, which every command names: a
+command that was queued under an ended lease is dropped.
 """
 
 from __future__ import annotations
@@ -52,6 +52,7 @@ LEASE_TOO_FAST = Reason(
 )
 
 GRANT_WITHIN_S: Final = 30.0
+"""A question that the operator has not answered by this time counts as refused."""
 SILENT_S: Final = 1.0
 """A client that has said nothing for this time loses the lease."""
 _FAULTS: Final = frozenset(
@@ -91,14 +92,14 @@ class Client:
 
 @dataclass(frozen=True, slots=True)
 class Ask:
-    """A client's wish for the arm.
+    """A client's request for the arm.
 
     Attributes:
         client: The client.
-        purpose: What it wants to do, in its own words.
+        purpose: The purpose in the client's words.
         moves: True if it wants to move the arm, and not only to set something.
         max_speed_percent: The highest speed it asks for.
-        since_s: Monotonic time.
+        since_s: The monotonic time of the request.
     """
 
     client: Client
@@ -113,10 +114,10 @@ class Lease:
     """A lease that the operator has granted.
 
     Attributes:
-        ask: What was asked for.
+        ask: The request.
         max_speed_percent: The highest speed that the operator has granted.
-        since_s: Monotonic time.
-        number: Names it in each command.
+        since_s: The monotonic time of the grant.
+        number: The number by which each command of the client names the lease.
     """
 
     ask: Ask
@@ -129,7 +130,7 @@ class Lessor:
     """Gives the arm to one client at a time.
 
     Attributes:
-        asked: Who asks for it, or ``None``.
+        asked: The request that waits for the operator, or ``None``.
         held: The lease, or ``None``.
     """
 
@@ -140,7 +141,7 @@ class Lessor:
         self._for_session: dict[int, tuple[bool, int]] = {}
 
     def ask(self, ask: Ask) -> Refusal | None:
-        """Take a client's wish; return why it is refused, or ``None``: it waits, or is granted."""
+        """Accept a client's request; return why not, or ``None``: it waits or is granted."""
         other = self.asked or (None if self.held is None else self.held.ask)
         if other is not None:
             return LEASE_TAKEN(client=str(other.client))
@@ -151,13 +152,13 @@ class Lessor:
         return None
 
     def grant(self, max_speed_percent: int, now_s: float, *, for_session: bool) -> Lease | None:
-        """Grant what is asked for, at most at a speed.
+        """Grant the present request, with a limit of the speed.
 
         Args:
             max_speed_percent: The operator's limit.
             now_s: Monotonic time.
-            for_session: True to grant what this client asks for later, too, up to this speed; one
-                granted without motions is asked about when it wants to move.
+            for_session: True to grant later requests of this client, too, up to this speed, and
+                motions only if this request includes them.
         """
         ask, self.asked = self.asked, None
         if ask is None:
@@ -170,12 +171,12 @@ class Lessor:
         return self.held
 
     def decline(self) -> Ask | None:
-        """Forget who asks, and return it."""
+        """Drop the present request, and return it."""
         ask, self.asked = self.asked, None
         return ask
 
     def heard(self, client: Client, now_s: float) -> None:
-        """Note when something was last heard from a client; before the grant it counts for none."""
+        """Note when data last came from the client that holds the lease; others are ignored."""
         if self.held is not None and self.held.ask.client.number == client.number:
             self._heard_s = max(self._heard_s, now_s)
 
@@ -185,11 +186,11 @@ class Lessor:
         return lease
 
     def take_back(self, client: Client) -> None:
-        """Forget what was granted a client for its session."""
+        """Forget a grant for a client's whole session."""
         self._for_session.pop(client.number, None)
 
     def why_over(self, now_s: float) -> Refusal | None:
-        """Return why the lease, or who asks, is over by the time gone by."""
+        """Return why the lease or the request has ended by a time limit, or ``None``."""
         if self.asked is not None and now_s - self.asked.since_s > GRANT_WITHIN_S:
             return LEASE_NOT_GRANTED(seconds=round(GRANT_WITHIN_S))
         if self.held is not None and now_s - self._heard_s > SILENT_S:

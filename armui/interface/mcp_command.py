@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(_options: argparse.Namespace) -> int:
     """Serves on standard input and output until these are closed; returns the exit code."""
     try:
-        from armui_mcp.server import serve  # noqa: PLC0415 - a distribution of its own
+        from armui_mcp.server import serve  # noqa: PLC0415 - its package may be missing
     except ImportError as error:
         text = say(
             "armui mcp: {error}. In a copy of armui's repository: "

@@ -25,7 +25,7 @@ Json = dict[str, Any]
 
 
 class Code(enum.IntEnum):
-    """The numbers of errors: those of JSON-RPC 2.0, and ours."""
+    """The error codes: those of JSON-RPC 2.0, and one of ours."""
 
     PARSE = -32700
     INVALID = -32600
@@ -33,15 +33,15 @@ class Code(enum.IntEnum):
     PARAMS = -32602
     INTERNAL = -32603
     REFUSED = -32000
-    """There is a reason against it, as the operator reads it: in ``data``."""
+    """The program refuses the call; ``data`` has the reason that the operator reads."""
 
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """What a client asks for.
+    """A call from a client.
 
     Attributes:
-        id: Names its answer; ``None`` for a notification, which has none.
+        id: The id of its answer; ``None`` for a notification, which has no answer.
         method: The name of the method.
         params: The arguments by name.
         answered: False for a notification.
@@ -58,8 +58,8 @@ class CallError(Exception):
 
     Attributes:
         code: The number of the error.
-        id: The call's, where it could be read.
-        data: More about it.
+        id: The id of the call, if it could be read.
+        data: Further data about the error.
     """
 
     def __init__(self, code: Code, text: str, *, id_: Id = None, data: Json | None = None) -> None:
@@ -70,7 +70,7 @@ class CallError(Exception):
 
 
 def refused(refusal: Refusal) -> CallError:
-    """Return a reason of the program as the error of a call."""
+    """Return a refusal by the program as the error of a call."""
     data = {"reason": refusal.code, "figures": figures(refusal.params)}
     return CallError(Code.REFUSED, english(refusal.reason.source, refusal.params), data=data)
 
@@ -129,7 +129,7 @@ def error(wrong: CallError, id_: Id = None) -> bytes:
 
 
 def notification(method: str, params: Mapping[str, object]) -> bytes:
-    """Return the line that tells a client something without being asked."""
+    """Return the line of a notification, which answers no call."""
     return _line({"jsonrpc": "2.0", "method": method, "params": params})
 
 
@@ -142,7 +142,7 @@ def english(source: str, params: Mapping[str, object]) -> str:
     try:
         return source.format_map({name: _shown(value) for name, value in params.items()})
     except (KeyError, IndexError, ValueError):
-        return source  # a figure that only the window has a word for
+        return source  # a figure is missing, or has a format that only the window can fill in
 
 
 @cache

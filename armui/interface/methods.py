@@ -1,7 +1,7 @@
-"""The methods of the interface beside the operations, each declared once.
+"""The methods of the interface besides the operations, each declared once.
 
-A declaration is a function without a body: its docstring says what the method does, its annotations
-what it takes. The arguments of a call are read by them, and the schema is made from them.
+A declaration is a function without a body: its docstring says what the method does, and its
+annotations give the parameters. Calls are read by these, and the schema is made from them.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ MOST_RATE_HZ: Final = 200.0
 LEAST_RATE_HZ: Final = 0.1
 NAME_LENGTH: Final = 80
 MOST_POINTS: Final = 1000
-"""A check of a client's has at most so many points, and an answer so many points or samples."""
+"""The most points of a trajectory that is checked, and the most points or samples of an answer."""
 MOST_SAMPLES: Final = 30_000
-"""So many has the check of a recording: five minutes at 100 Hz, in a fifth of a second."""
+"""The most samples of a recording that is checked: five minutes at 100 Hz, checked in 0.2 s."""
 
 Angles = Annotated[Sequence[float], "°"]
 FlangePose = Annotated[Sequence[float], "mm, °"]
@@ -60,8 +60,8 @@ class Method:
     """A method of the interface.
 
     Attributes:
-        takes: Declares it.
-        answers: The schemas of what its answer has, by name; or of the whole of another answer.
+        takes: The function that declares the method.
+        answers: The schemas of the answer's parts by name; or of an answer without parts.
         leased: True if it needs the lease.
     """
 
@@ -71,7 +71,7 @@ class Method:
 
     @property
     def summary(self) -> str:
-        """What it does."""
+        """The docstring of the declaration."""
         return self.takes.__doc__ or ""
 
 

@@ -1,4 +1,4 @@
-"""The schema of the local interface, an OpenRPC document made from the operations' registry."""
+"""The OpenRPC document of the local interface, made from the registry of operations."""
 
 from __future__ import annotations
 

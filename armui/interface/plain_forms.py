@@ -1,4 +1,4 @@
-"""The plain form of the operations: their arguments in JSON, and their schema.
+"""The arguments of operations in JSON, and their schema.
 
 Everything comes from the annotations of the operations' methods. Those that take objects of the
 program are left out, or have a method of their own (:data:`WITHOUT`).
@@ -61,7 +61,7 @@ WITHOUT: Final[Mapping[str, str]] = {
     "settings.save": "the settings are the operator's, who reads what changes",
     "teaching.command": "the arm would go limp: somebody must stand at it",
 }
-"""The operations that no client can ask for, each with the reason, or what there is instead."""
+"""The operations that clients cannot call, each with the reason or the alternative."""
 
 FREE: Final = frozenset(
     {
@@ -79,7 +79,7 @@ FREE: Final = frozenset(
         "end_load.report",
     }
 )
-"""What a client with the lease may do without asking; the operator holds a button for the rest."""
+"""What a client with the lease may do without asking; for the rest the operator holds a button."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,14 +101,14 @@ UNLEASED: Final = frozenset({"episode.begin", "episode.end", "episode.discard"})
 
 _SIX: Final = 6
 _MOST: Final = 1e6
-"""No figure of a client's is larger, in mm or degrees: with such ones calculations overflow."""
+"""The largest figure accepted from a client, mm or degrees: larger ones overflow calculations."""
 _NOT_NAMED: Final = frozenset({"self", "started"})
 _ONLY: Final[Mapping[type[enum.Enum], tuple[str, ...]]] = {MoveMode: ("MOVE_P", "MOVE_L")}
-"""Of these enumerations some values are no choices of a command."""
+"""The values of an enumeration that a client may choose, if not all of them."""
 
 
 def asks(operation: Operation) -> bool:
-    """Return whether the operator is asked each time, whatever the lease allows."""
+    """Return whether the operator is asked at each call, even with a lease."""
     return operation.consent is not Consent.NONE or operation.id not in FREE | UNLEASED
 
 
@@ -130,10 +130,10 @@ def _parameters(function: Callable[..., object]) -> Sequence[tuple[inspect.Param
 
 
 def taken(method: Callable[..., object], params: Json) -> tuple[list[object], dict[str, object]]:
-    """Return a call's arguments as a method takes them; the lease that it names is none.
+    """Return a call's arguments as the method takes them, without the number of the lease.
 
     Raises:
-        CallError: One is missing, unknown, or of another form; ranges are looked at elsewhere.
+        CallError: One is missing, unknown, or of another form; ranges are checked by the operation.
     """
     left = {name: value for name, value in params.items() if name != "lease"}
     positional: list[object] = []
@@ -160,7 +160,7 @@ def taken(method: Callable[..., object], params: Json) -> tuple[list[object], di
 
 
 def _taken(name: str, hint: object, value: object) -> object:
-    """Return one argument as its annotation has it."""
+    """Return one argument converted to the type of its annotation."""
     kind, marks = _kind(hint)
     wrong: str
     if isinstance(kind, type) and issubclass(kind, enum.Enum):
@@ -223,13 +223,13 @@ def six(name: str, value: object) -> tuple[float, ...]:
 
 
 def _is_plausible(value: Any) -> bool:
-    return bool(-_MOST <= value <= _MOST)  # an infinite one is not, nor is one that is no number
+    return bool(-_MOST <= value <= _MOST)  # false for infinite values and NaN, too
 
 
 def _kind(hint: object) -> tuple[object, Mapping[type, Any]]:
-    """Return what an annotation allows, and its marks by their types.
+    """Return the type that an annotation allows, and its further marks by their types.
 
-    It allows an enum, a plain type, a list, or a sequence of numbers.
+    The type is an enum, a plain type, a list, or a sequence of numbers.
     """
     marks: dict[type, Any] = {}
     if get_origin(hint) in {Union, UnionType} and hint != MotionFrame:
@@ -269,7 +269,7 @@ def _method(bound: BoundOperation) -> Json:
 
 
 def takes(method: Callable[..., object], *, leased: bool) -> Json:
-    """Return what a method takes, as OpenRPC has it."""
+    """Return the parameters of a method in the form of OpenRPC."""
     of_lease = {"name": "lease", "required": True, "schema": {"type": "integer"}}
     params = [_param(method, *each) for each in parameters_of(method)]
     return {"paramStructure": "by-name", "params": [of_lease, *params] if leased else params}

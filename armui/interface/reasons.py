@@ -1,4 +1,4 @@
-"""What the interface tells the operator and its clients: reasons and notices."""
+"""The reasons and notices of the local interface, for the operator and its clients."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """The socket of the local interface, served by a thread of its own (S31).
 
-It reads lines, keeps each client within its limits, answers what needs only the arm's newest state,
-and hands everything else on to the window's thread. What a client does not read is bounded: the
-oldest states are never kept for it.
+It reads lines, keeps each client within its limits, answers calls that need only the arm's newest
+state, and passes all others to the window's thread. The memory for unread answers is bounded: a
+client that does not read gets no states.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 MOST_CLIENTS: Final = 8
 MOST_CALLS_PER_S: Final = 2000
 MOST_WAITING: Final = 64
-"""So many calls of one client may wait for their answers."""
+"""The most calls of one client that may wait for their answers."""
 MOST_UNREAD: Final = 512 * 1024
 """A client with more bytes unread gets no states and events; with twice as many it is cut off."""
 _END_S: Final = 2.0
@@ -60,9 +60,9 @@ class ClientSession:
     """One client's connection, from the server's side.
 
     Attributes:
-        client: Who it is; its name is empty before its hello.
-        events: True once it wants to be told the events.
-        heard_s: When anything was last heard from it.
+        client: The client; its name is empty before its hello.
+        events: True if it has subscribed to the events.
+        heard_s: The time of the last line from it.
         waiting: The number of calls that the window's thread has not answered yet.
     """
 
@@ -81,11 +81,11 @@ class Target:
     """The newest target of a stream.
 
     Attributes:
-        session: Whose it is.
+        session: The session that it came from.
         lease: The number of the lease that it names.
         joints_deg: Six angles; ``None``: it is a pose.
         flange_pose_mm_deg: A pose of the flange in the base, or ``None``.
-        id: Names the answer, if one is wanted.
+        id: The id of the answer, if one is wanted.
         answered: False for a notification.
     """
 
@@ -139,7 +139,7 @@ class Server:
 
     @property
     def clients(self) -> list[Client]:
-        """The clients that are connected and have said who they are."""
+        """The connected clients that have said hello."""
         return [each.client for each in list(self._sessions.values()) if each.greeted]
 
     # From the window's thread -----------------------------------------------------------------
@@ -158,7 +158,7 @@ class Server:
         if loop is None or thread is None:
             return True
         self._ending = True
-        with contextlib.suppress(RuntimeError):  # it has ended already
+        with contextlib.suppress(RuntimeError):  # the loop is closed: the thread has ended already
             loop.call_soon_threadsafe(self._end)
         thread.join(_END_S)
         return not thread.is_alive()
@@ -173,7 +173,7 @@ class Server:
             self._soon(lambda: self._answer(target.session, target.id, True, value))
 
     def take_target(self) -> Target | None:
-        """Return the newest target of a client, once; each has one place, its own."""
+        """Return a client's newest target, once; an older one that was not taken is replaced."""
         with self._target_lock:
             return self._targets.popitem()[1] if self._targets else None
 
@@ -197,7 +197,7 @@ class Server:
     def _serve(self, loop: asyncio.AbstractEventLoop) -> None:
         asyncio.set_event_loop(loop)
         try:
-            messages.sentences()  # read now: what is told later waits for no file
+            messages.sentences()  # read the file now, so that no message waits for the disk later
             listening = _listen(self.path)
         except OSError as error:
             self._on_opened(error)
@@ -239,7 +239,7 @@ class Server:
             writer.write(messages.error(CallError(Code.INVALID, text)))
             if _is_mine(user):
                 with contextlib.suppress(OSError, EOFError, ValueError, asyncio.TimeoutError):
-                    # it is about to say hello, and would hear of a broken pipe instead
+                    # wait for its hello: if the socket closed before, it would not get the error
                     await asyncio.wait_for(reader.readuntil(b"\n"), _HELLO_WITHIN_S)
             writer.close()
             return
@@ -250,8 +250,8 @@ class Server:
         try:
             await self._read(session, reader)
         except (ConnectionError, asyncio.IncompleteReadError, asyncio.CancelledError):
-            pass  # it is over; asyncio's server reports a task that was cancelled as a failure
-        except Exception:  # noqa: BLE001 - one client's session must not take the others' away
+            pass  # the session has ended; asyncio would report a cancelled task as a failure
+        except Exception:  # noqa: BLE001 - an error in one session must not end the others
             _LOG.exception("A session of the local interface failed")
         finally:
             self._sessions.pop(number, None)
@@ -276,12 +276,13 @@ class Server:
             if count > MOST_CALLS_PER_S:
                 await asyncio.sleep(began_s + 1.0 - now_s)
             self._take(session, line)
+            # until there is room nothing more is read, which slows the client down
             while session.waiting >= MOST_WAITING:
                 session.room.clear()
                 await session.room.wait()
 
     def _take(self, session: ClientSession, line: bytes) -> None:
-        """Answer one line, or hand it on."""
+        """Answer one line from a client, or hand the call to the window's thread."""
         call: Call | None = None
         try:
             call = messages.read_call(line)
@@ -393,7 +394,7 @@ class Server:
         if session.writer.is_closing():
             return
         if _unread(session) > 2 * MOST_UNREAD:
-            session.writer.transport.abort()  # it asks, and reads none of its answers
+            session.writer.transport.abort()  # its unread answers would fill up the memory
             return
         session.writer.write(line)
 
@@ -417,7 +418,7 @@ if sys.platform == "linux":
                 probe.connect(str(path))
             except OSError:
                 with contextlib.suppress(FileNotFoundError):
-                    path.unlink()  # left by a program that was killed
+                    path.unlink()  # the socket of a program that was killed: nobody listens at it
             else:
                 raise SocketTakenError(errno.EADDRINUSE, "another program serves it", str(path))
         listening = socket.socket(socket.AF_UNIX)

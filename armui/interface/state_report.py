@@ -1,4 +1,4 @@
-"""What a client is told of the arm: measured values, each with its age: pure."""
+"""The arm's measured values for clients, each with its age. Pure."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def _code(kind: type[IntEnum], code: int) -> str | int:
     try:
         return kind(code).name.lower()
     except ValueError:
-        return code  # a code that no table has
+        return code  # a code that is in no table is passed on as its number
 
 
 def _status(state: ArmState, now_s: float) -> Json:
@@ -106,7 +106,7 @@ def report(state: ArmState, now_s: float, fields: Sequence[str] = tuple(FIELDS))
     """Return the values with their ages.
 
     Args:
-        state: What was last heard.
+        state: The state of the arm.
         now_s: Monotonic time.
         fields: Keys of :data:`FIELDS`.
     """

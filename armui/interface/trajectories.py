@@ -1,7 +1,7 @@
-"""What clients ask of the library: trajectories by name, their checks, plans and runs.
+"""The calls of clients about the library: trajectories by name, their checks, plans and runs.
 
-Files are read in the thread for them, checks are made in a process of the clients' own, one after
-another: the operator waits for neither. A run passes the questions of a press
+The library's files are read in the thread for files, and checks run one after another in a process
+for clients: the operator waits for neither. A run asks the same questions as a press
 (:class:`armui.control.run.run_request.RunRequest`).
 """
 
@@ -44,14 +44,14 @@ CHECK_BUSY = Reason("check_busy", "Something else is being checked for you. Wait
 
 _LISTED: Final = ("name", "kind", "count", "note", "folder", "check")
 _GIVEN: Final = "points"
-"""The name of points that a client gives."""
+"""The name under which points sent by a client are checked."""
 
 
 class ClientRunner(Runner):
-    """Starts what a client runs.
+    """Starts the runs of clients.
 
     Args:
-        controller: Carries it out.
+        controller: The controller that runs it.
         by_client: Calls what begins a motion as the client's.
 
     Attributes:
@@ -71,7 +71,7 @@ class ClientRunner(Runner):
     def begin(self, checked: Preflight, speed_percent: int) -> Started | Refusal:
         """Run a checked content; return the record of the run, or why it has not begun."""
         begun: Started | Refusal = self._by_client(
-            # no faster than the lease allows, to which the speed is lowered by then
+            # not above the speed in force, which `_by_client` has lowered to that of the lease
             lambda: super(ClientRunner, self).begin(
                 checked, min(speed_percent, self._controller.motion.speed_percent)
             )
@@ -82,7 +82,7 @@ class ClientRunner(Runner):
 
 @dataclass(eq=False, repr=False)
 class Trajectories:
-    """Answers what clients ask of the library.
+    """Answers the calls of clients about the library.
 
     Args:
         controller: Gives the arm's state.
@@ -129,7 +129,7 @@ class Trajectories:
         load: Callable[[Library], Any],
         told: Callable[[Preflight], Json],
     ) -> None:
-        """Check something from where the arm stands; one at a time for a client."""
+        """Check something from the arm's present place; one check at a time for each client."""
         if client in self._checked_for:
             then(CHECK_BUSY())
             return
@@ -158,7 +158,7 @@ class Trajectories:
         told: Callable[[RunRequest], object],
         unread: Callable[[Refusal], object],
     ) -> RunRequest:
-        """Return the request to run a trajectory of the library; it is to be begun.
+        """Return the request to run a trajectory of the library; the caller begins it.
 
         Args:
             name: The trajectory.
@@ -202,7 +202,7 @@ class Trajectories:
 
 
 def _alone(library: Library, work: Callable[[Library], Any]) -> object:
-    """Return the result of work on the library, or why there is none."""
+    """Return the result of work on the library, or the refusal or error that prevented it."""
     try:
         return take_turn(library, lambda: work(library))
     except (LibraryError, TrajectoryFileError) as error:
@@ -238,10 +238,10 @@ def _part(library: Library, name: str, first_row: int, rows: int) -> Json:
 
 
 def _loaded(library: Library, name: str | None, points: Any = None) -> tuple[Content, bool]:
-    """Return what is to be checked, and whether it has run before.
+    """Return the content to be checked, and whether it has been run before.
 
     Raises:
-        CallError: The points are none.
+        CallError: The points are invalid.
         LibraryError: There is nothing of that name, or too much of it.
         TrajectoryFileError: It is damaged.
     """
@@ -270,7 +270,7 @@ def _given(points: Any) -> Content:
 
 
 def _told(checked: Preflight, *, plans: bool) -> Json:
-    """Return what a check has found, and the planned path."""
+    """Return the findings of a check in JSON and, if wanted, the planned path."""
     path, errors = checked.path, checked.errors
     told: Json = {
         "name": checked.content.name,

@@ -18,9 +18,9 @@ _LOCK_S: Final = 0.05
 
 @contextlib.contextmanager
 def alone_with(path: Path) -> Iterator[None]:
-    """Have a file for oneself; where no lock can be had, nobody is kept from it.
+    """Lock a file for this program; without a lock if the file system has none.
 
-    A program that is killed lets go of it.
+    The system releases the lock of a program that is killed.
 
     Args:
         path: The file; it need not exist.
@@ -34,7 +34,7 @@ def alone_with(path: Path) -> Iterator[None]:
         except Timeout:
             raise
         except (OSError, NotImplementedError):
-            pass  # without locks nobody can be met: whoever looks for other programs says so
+            pass  # without locks no other program can be noticed; `presence` reports that
         yield
 
 

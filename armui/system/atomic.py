@@ -21,10 +21,10 @@ UNFINISHED: Final = ".unfinished"
 """The ending of a file that is being written, or was when the program was killed."""
 
 _SCANNER_PAUSES_S: Final = (0.01, 0.02, 0.04, 0.08, 0.15, 0.2)
-"""The pauses between attempts, half a second in all."""
+"""The pauses between attempts while a virus scanner has the file open, half a second in all."""
 
 _MOST_ASIDE: Final = 10
-"""So many files of a name are put aside; another one takes the place of the last."""
+"""The most damaged files of one name that are put aside; a further one replaces the last."""
 
 _ABANDONED_S: Final = 600.0
 """An unfinished file this old is abandoned; a younger one may belong to another running program."""
@@ -55,7 +55,7 @@ class WholeFile:
         self._to_disk = to_disk
         if path.is_dir():
             raise _exists(path)
-        check_file(path)  # a device or a pipe is not replaced
+        check_file(path)  # refuse a device or a pipe: the final rename would replace it
         self._check()
         self.unfinished = _unfinished_name(path)
         self.stream: BinaryIO = open_file(self.unfinished, "xb")
@@ -134,9 +134,9 @@ def _unfinished_name(path: Path) -> Path:
 
 
 def aside_name(path: Path) -> Path:
-    """Return where to keep a file that cannot be read, for whoever wants to mend it.
+    """Return the path under which a damaged file is kept, so that its owner can repair it.
 
-    The first ones that were kept stay, for they may say most.
+    The first ones are not overwritten, because the cause of the damage may be found in them.
     """
     endings = (".broken", *(f".broken{number}" for number in range(2, _MOST_ASIDE + 1)))
     paths = [path.with_name(path.name + ending) for ending in endings]

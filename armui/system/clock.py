@@ -1,7 +1,8 @@
 """The program's clock: it never goes back, and also runs while the computer sleeps.
 
-Values heard before a sleep must be old afterwards. Python's :func:`time.monotonic` does not promise
-that, and on Linux and macOS it stands still (``CLOCK_MONOTONIC``, ``mach_absolute_time``).
+Values received before a sleep must count as old afterwards. Python's :func:`time.monotonic` does
+not promise that, and on Linux and macOS it stands still (``CLOCK_MONOTONIC``,
+``mach_absolute_time``).
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ _COLUMN: Final = 26
 """The largest column at which the help of an option begins."""
 _WIDTH: Final = 79
 _PARTS: Final = re.compile(r"[\x21-\x7e]+[，。；：、）”！]*|\s+|[^\x00-\x7f][，。；：、）”！]*")
-"""A word, or one character of Chinese, with the marks behind it that begin no line; or a gap."""
+"""A word or one Chinese character, with punctuation that must not begin a line; or white space."""
 CONTEXT: Final = Told.context
 OF_ARGPARSE: Final = (
     "%(prog)s: error: %(message)s\n",
@@ -46,7 +46,7 @@ OF_ARGPARSE: Final = (
     "the following arguments are required: %s",
     "unrecognized arguments: %s",
 )
-"""Its sentences about a wrong command line, which it looks up in a catalogue of its own."""
+"""The sentences of argparse about a wrong command line, which are translated by `say`."""
 OF_SYSTEM: Final = (
     "File exists",
     "File name too long",
@@ -65,7 +65,7 @@ OF_SYSTEM: Final = (
     "file is not a database",
     "unable to open database file",
 )
-"""The errors of files as system and SQLite word them: in English, for no locale is set."""
+"""The file errors in the words of the system and SQLite: in English, because no locale is set."""
 
 _WHOLE_TURN_DEG: Final = 360.0
 
@@ -87,14 +87,14 @@ def _language() -> Language:
 
 
 def say(text: str, /, **figures: object) -> str:
-    """Return a text of the command line, with its figures, in the operator's language."""
+    """Return a text of the command line in the operator's language, with its figures filled in."""
     if isinstance(text, Told):
         return text.said(_translate)
     return filled(_translate(CONTEXT, text), figures, _translate)
 
 
 def say_sentence(what: Sentence, figures: Mapping[str, object]) -> str:
-    """Return a declared sentence, with its figures, in the operator's language."""
+    """Return a declared sentence in the operator's language, with its figures filled in."""
     return filled(_translate(what.context, what.source), figures, _translate)
 
 
@@ -124,7 +124,7 @@ def _columns(text: str) -> int:
 
 @contextmanager
 def _argparse_translated() -> Iterator[None]:
-    """Have argparse say its own sentences by `say`: it looks them up by this name."""
+    """Translate argparse's own sentences by `say`: it looks them up as ``argparse._``."""
     before = vars(argparse)["_"]
     setattr(argparse, "_", say)  # noqa: B010 - the type stubs do not know it
     try:
@@ -137,14 +137,14 @@ class CommandParser(argparse.ArgumentParser):
     """Reads a command line and answers in the operator's language.
 
     Args:
-        prog: What the command is called.
-        usage: How it is used; by default as its options have it.
+        prog: The name of the command.
+        usage: The line of its usage; by default argparse makes it from the options.
         description: What it is for.
-        epilog: What stands below its options.
+        epilog: The text below its options.
 
     Attributes:
-        lists: What `list_names` has given it.
-        ending: Likewise.
+        lists: The lists set by `list_names`.
+        ending: The sentence set by `list_names`.
     """
 
     def __init__(
@@ -160,7 +160,7 @@ class CommandParser(argparse.ArgumentParser):
         self.ending = ""
 
     def format_help(self) -> str:
-        """Return the help in the operator's language; what is not asked for costs nothing."""
+        """Return the help in the operator's language; its lists are translated here alone."""
         english = self.epilog
         if self.lists:
             self.epilog = _lists(self.lists, self.ending, say)
@@ -170,12 +170,12 @@ class CommandParser(argparse.ArgumentParser):
             self.epilog = english
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
-        """Read a command line; what is wrong with it is said in the operator's language."""
+        """Read a command line; errors in it are reported in the operator's language."""
         with _argparse_translated():
             return super().parse_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
-        """Say what is wrong with the command line, and end with 2."""
+        """Print what is wrong with the command line, and exit with code 2."""
         with _argparse_translated():
             super().error(say(message))
 
@@ -199,13 +199,13 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
         groups: Iterable[argparse._MutuallyExclusiveGroup],
         prefix: str | None = None,
     ) -> None:
-        """Add how the command is used."""
+        """Add the usage line, translated."""
         if usage is not None:
             usage = say(usage)
         super().add_usage(usage, actions, groups, say("usage: ") if prefix is None else prefix)
 
     def start_section(self, heading: str | None) -> None:
-        """Begin a group of options."""
+        """Begin a group of options under a translated heading."""
         super().start_section(None if heading is None else say(heading))
 
     def _get_help_string(self, action: argparse.Action) -> str | None:
@@ -218,10 +218,10 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
 def list_names(
     parser: argparse.ArgumentParser, lists: Mapping[str, Mapping[str, str]], ending: str = ""
 ) -> None:
-    """Have names stand below the options with what each means, as argparse lists options.
+    """Add lists of names with their meanings below the options, in the layout of argparse.
 
     Args:
-        parser: Where.
+        parser: The parser of the command.
         lists: By their titles; in each the meanings by the names.
         ending: A sentence below them.
     """
@@ -273,16 +273,16 @@ def add_generation(parser: argparse.ArgumentParser) -> None:
 
 
 def add_language(parser: argparse._ActionsContainer, of_what: str) -> None:
-    """Declares the option that chooses a language for this run, which `say` heeds."""
+    """Declares the option that chooses a language for this run; `say` uses it."""
     parser.add_argument("--lang", choices=LANGUAGES, help=of_what)
 
 
 def add_joints(parser: argparse._ActionsContainer, meaning: str) -> None:
-    """Declares the option that says where a simulated arm lies.
+    """Declares the option for the six joint angles of a simulated arm.
 
     Args:
-        parser: Where.
-        meaning: What it is for, and where the arm lies without it.
+        parser: The parser of the command.
+        meaning: The help text: the purpose, and the angles without the option.
     """
     joints = tuple(f"J{joint}" for joint in range(1, 7))
     parser.add_argument("--joints", type=_angle, nargs=6, metavar=joints, help=meaning)
@@ -305,14 +305,14 @@ def _angle(text: str) -> float:
 
 
 class OutputError(Exception):
-    """The standard output is full or closed; the text tells which."""
+    """The standard output is full or closed; the text gives the reason."""
 
 
 class _Output:
-    """The standard output; where it fails, that is told apart from what else fails.
+    """The standard output, whose errors are told apart from all other errors.
 
     Args:
-        stream: What it goes to.
+        stream: The stream to write to.
     """
 
     def __init__(self, stream: TextIO) -> None:
@@ -327,14 +327,14 @@ class _Output:
             return self._stream.write(text)
 
     def flush(self) -> None:
-        """Pass on what was written; see `_output_failures`."""
+        """Flush the stream; see `_output_failures`."""
         with _output_failures():
             self._stream.flush()
 
 
 @contextmanager
 def _output_failures() -> Iterator[None]:
-    """Tell failures of the output apart.
+    """Raise errors of the standard output as types of their own.
 
     Raises:
         BrokenPipeError: The reader has ended, for example `head`. Windows calls that an invalid
@@ -356,7 +356,7 @@ def with_output(name: str, run: Callable[[], int]) -> int:
     """Run a command; a standard output that is full or closed costs one line on the other one.
 
     Args:
-        name: What the command is called.
+        name: The name of the command.
         run: Runs it, and returns its exit code.
 
     Returns:

@@ -87,7 +87,7 @@ class CommandProcess:
             self._listen(error)
             return
         if process is not None:
-            with process:  # closes the pipes at the end
+            with process:  # closes its pipes at the end of the block
                 self._listen(process)
 
     def _start(self) -> subprocess.Popen[str] | None:

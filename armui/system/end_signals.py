@@ -64,7 +64,7 @@ def interrupting() -> Iterator[list[int]]:
 
 
 def ignore_from_now_on() -> None:
-    """Ignore these signals, because the work is done: the exit code is to tell of it."""
+    """Ignore these signals: the work is done, and its exit code must not become a signal's."""
     take_over(signal.SIG_IGN)
 
 

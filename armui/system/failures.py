@@ -90,7 +90,7 @@ class FailureHandler(logging.Handler):
         self._counts[key] += 1
         try:
             failure = _failure(record, error, self._counts[key])
-        except Exception:  # noqa: BLE001 - its own words may fail; where it came from is not known
+        except Exception:  # noqa: BLE001 - the exception's own text may fail: then use its type
             failure = Failure(type(error).__name__, type(error).__name__, (), self._counts[key])
         try:
             self._tell(failure)
@@ -106,7 +106,7 @@ class Repeats(logging.Filter):
         self._counts: Counter[Key] = Counter()
 
     def filter(self, record: logging.LogRecord) -> bool:
-        """Return whether a record is logged; one that stands for others holds their number."""
+        """Return whether to log a record; a repeated one gets the number of its repetition."""
         error = record.exc_info[1] if record.exc_info else None
         if error is None:
             return True

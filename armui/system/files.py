@@ -49,7 +49,7 @@ def open_file(path: Path | str, mode: Mode = "rb") -> BinaryIO:
         OSError: It cannot be opened.
     """
     # `_opened` checks what was really opened: the path may have changed meanwhile.
-    opened: Any = open(path, mode, opener=_opened)  # noqa: SIM115 - handed on; the one place
+    opened: Any = open(path, mode, opener=_opened)  # noqa: SIM115 - the caller closes it
     file: BinaryIO = opened
     return file
 

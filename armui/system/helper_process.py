@@ -49,7 +49,7 @@ _ALIGNED: Final = 64
 _LOG: Final = logging.getLogger(__name__)
 
 OURS: Final = "armui-"
-"""How the names begin of processes that are not a pool's."""
+"""The prefix of the names of processes that were not started by a pool."""
 
 _NICER_BY: Final = 5
 """The nice value's increase, so that window and bus come first if there are too few cores."""
@@ -122,14 +122,14 @@ def unpack(packed: Packed) -> Any:
     whole = memoryview(mapped)
     try:
         packed.path.unlink()
-    except OSError:  # Windows removes no file that is mapped: there it goes with the mapping
+    except OSError:  # Windows does not remove a mapped file: remove it when it is unmapped
         weakref.finalize(mapped, _remove, packed.path)
     buffers = [whole[begin : begin + length] for begin, length in packed.spans]
     return pickle.loads(packed.data, buffers=buffers)  # noqa: S301 - as above
 
 
 def _remove(path: Path) -> None:
-    with contextlib.suppress(OSError):  # the next program's sweep finds it
+    with contextlib.suppress(OSError):  # the next start of the program removes it
         path.unlink()
 
 
@@ -171,7 +171,7 @@ class HelperProcess(Executor):
         return answer
 
     def _send(self, answer: Future[Any], call: tuple[object, ...]) -> None:
-        """Hand a piece of work to the process; its answer comes by a thread of the pool."""
+        """Pack a call and pass it to the process; the answer is set in a thread of the pool."""
         try:
             if self._folder is None:
                 remove_leftovers()
@@ -183,7 +183,7 @@ class HelperProcess(Executor):
             except BrokenExecutor:
                 self._end_process(wait=True)
                 sent = self._submit(packed, folder)
-        except Exception as error:  # noqa: BLE001 - whatever it is, it is in the answer
+        except Exception as error:  # noqa: BLE001 - any error is passed on in the answer
             _settle(answer, error=error)
             return
         sent.add_done_callback(partial(_answer, answer))
@@ -197,7 +197,7 @@ class HelperProcess(Executor):
         future = self._pool.submit(call_packed, packed, folder)
         future.add_done_callback(partial(_log_failure, self._called_off))
         begun = set(multiprocessing.active_children()) - before
-        # another thread may have started one of the others just now; those have names of ours
+        # another thread may have started another kind of process just now; its name has the prefix
         self._children |= {child for child in begun if not child.name.startswith(OURS)}
         return future
 
@@ -216,7 +216,7 @@ class HelperProcess(Executor):
             self._sender = None
         self._called_off.set()
         self._end_process(wait=wait)
-        self._called_off = threading.Event()  # whoever asks for more gets another process
+        self._called_off = threading.Event()  # a later call starts another process
         for answer in tuple(self._asked):
             answer.cancel()
         if self._folder is not None:
@@ -226,7 +226,7 @@ class HelperProcess(Executor):
 
 @dataclass(slots=True)
 class _FileJob:
-    """Something to be done by the file thread, and who waits for it."""
+    """A call for the file thread, with the future that its caller waits for."""
 
     answer: Future[Any]
     work: Callable[[], Any]
@@ -236,17 +236,17 @@ class _FileJob:
             return
         try:
             _settle(self.answer, self.work())
-        except BaseException as error:  # noqa: BLE001 - whatever it is, it is in the answer
+        except BaseException as error:  # noqa: BLE001 - any error is passed on in the answer
             _settle(self.answer, error=error)
 
 
 class _Worker(threading.Thread):
-    """Does what lies in a queue until it is left to itself, or finds the end, ``None``.
+    """Carries out jobs from a queue until it is abandoned, or takes the end mark ``None``.
 
     Attributes:
-        since_s: When what it is doing was begun; ``None``: it waits for more.
-        calling: True if it waits for the other process.
-        left: Nobody counts on it any more: it hangs.
+        since_s: The start of the present job, by `time.monotonic`; ``None`` while idle.
+        calling: True while it waits for the helper process.
+        left: True if it was abandoned because it hangs.
     """
 
     def __init__(self, jobs: SimpleQueue[_FileJob | None]) -> None:
@@ -259,12 +259,12 @@ class _Worker(threading.Thread):
         while not self.left and (job := self._jobs.get()) is not None:
             self.since_s = time.monotonic()
             job.do()
-            del job  # what it holds is not kept until the next one
+            del job  # or its arguments would stay in memory until the next job
             self.since_s = None
 
 
 def _taken_from(jobs: SimpleQueue[_FileJob | None]) -> list[_FileJob]:
-    """Take out what nobody has begun yet."""
+    """Take the jobs that have not begun out of a queue."""
     found = []
     with contextlib.suppress(Empty):
         while True:
@@ -402,7 +402,7 @@ class FileThread(Executor):
 
 
 def _come_to_the_end() -> None:
-    """Do nothing; its answer shows that everything queued before it was done."""
+    """Do nothing: its result shows that all jobs queued before it are done."""
 
 
 def _name_of(work: Callable[..., Any]) -> str:
@@ -422,14 +422,14 @@ def _answer(answer: Future[Any], sent: Future[Packed]) -> None:
 
     try:
         _settle(answer, unpack(sent.result()))
-    except Exception as problem:  # noqa: BLE001 - whatever it is, it is in the answer
+    except Exception as problem:  # noqa: BLE001 - any error is passed on in the answer
         _settle(answer, error=problem)
 
 
 def _settle(
     answer: Future[Any], value: object = None, *, error: BaseException | None = None
 ) -> None:
-    """Give an answer, unless nobody waits for it any more."""
+    """Set the result of a future, unless it was cancelled."""
     with contextlib.suppress(InvalidStateError):
         if error is None:
             answer.set_result(value)
@@ -438,7 +438,7 @@ def _settle(
 
 
 def _log_failure(called_off: threading.Event, future: Future[Any]) -> None:
-    """Keep in the log what went wrong over there; who asked for the work tells the operator.
+    """Log an error in the process; the caller that asked for the work tells the operator.
 
     Work that was called off with its process has not failed.
     """
@@ -467,4 +467,4 @@ def _await_the_program() -> None:
     program = multiprocessing.parent_process()
     if program is not None:
         program.join()
-        os._exit(1)
+        os._exit(1)  # sys.exit would only end this thread

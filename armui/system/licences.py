@@ -36,8 +36,8 @@ class Licence:
 def licences() -> tuple[Licence, ...]:
     """Return every text, the program's own first, then Qt's; waits for the disk.
 
-    A package has them in a folder made with it, for each library it brings. From the source, or
-    from Python's packages, they are those of the packages installed that the program wants.
+    A packaged program has them in a folder, for each library that it contains. From the source, or
+    installed by pip, they are taken from the installed packages that the program requires.
     """
     found = _of_package() if is_packaged() else _of_installed()
     order = {"armui": 0, **{name.lower(): 1 for name in _QT}}

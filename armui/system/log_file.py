@@ -79,7 +79,7 @@ class UnhurriedHandler(logging.Handler):
             self.lines.put_nowait(self.format(record))
         except queue.Full:
             pass
-        except Exception:  # noqa: BLE001 - what cannot be put into words
+        except Exception:  # noqa: BLE001 - the record cannot be formatted
             self.handleError(record)
 
     def flush(self) -> None:
@@ -98,7 +98,7 @@ def flush_log() -> None:
 
 
 class _LogThread(threading.Thread):
-    """Writes what it finds in a queue, until the end."""
+    """Writes the lines of a queue to the file, until the end mark."""
 
     def __init__(self, path: Path, lines: queue.Queue[str | None]) -> None:
         super().__init__(name="log", daemon=True)
@@ -154,6 +154,7 @@ def log_to(folder: Path) -> Iterator[Path | None]:
         for name in LOGGERS:
             logging.getLogger(name).removeHandler(handler)
         logger.setLevel(level)
+        # the queue is full if the disk hangs: then do not wait for it
         with contextlib.suppress(queue.Full):
             handler.lines.put_nowait(None)
             thread.join()
@@ -167,7 +168,7 @@ def _let_go(lock: FileLock) -> None:
 
 
 def _own_file(folder: Path) -> tuple[Path, FileLock]:
-    """The first file that no running program writes, and the lock that tells so until it ends.
+    """Return the first file that no running program writes, and the lock that reserves it.
 
     Raises:
         OSError: The folder cannot be used.

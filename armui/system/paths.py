@@ -34,8 +34,8 @@ def settings_file() -> Path:
 def runtime() -> Path:
     """Return the folder for the locks of one user's running programs; locks of ended ones are void.
 
-    It is the system's folder for that if it belongs to the user, even if the environment does not
-    name it; else one among the user's files, for this computer alone.
+    It is the system's folder for that, even if the environment does not name it, provided that it
+    belongs to the user; else a folder among the user's files, one for each computer.
     """
     named = [Path(os.environ.get("XDG_RUNTIME_DIR") or "")]
     if hasattr(os, "getuid"):

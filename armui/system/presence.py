@@ -1,7 +1,7 @@
 """Counts this computer's programs that use the same thing: each holds a lock in a common folder.
 
 The operating system releases the lock of a program that was killed, so no ended program is counted.
-All of it touches the disk: a thread of its own does the work, and nobody waits for it.
+All work on the disk is done by a thread of its own.
 """
 
 from __future__ import annotations

@@ -22,9 +22,9 @@ class RecordSocket:
     """
 
     def __init__(self, end: socket.socket, size: int) -> None:
-        if end.family == socket.AF_INET:  # such is a pair on Windows; small records must not wait
+        if end.family == socket.AF_INET:  # as on Windows: send small records at once
             end.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # a time limit belongs to the object, and the two threads have their own
+        # the time limit belongs to a socket object: each thread has an object of its own
         self._receiving, self._sending = end, end.dup()
         self._size = size
         self._part = b""
@@ -46,7 +46,7 @@ class RecordSocket:
             OSError: The other end is closed, or this one.
         """
         self._sending.settimeout(_LONGEST_WAIT_S if timeout_s is None else timeout_s)
-        self._push()  # the rest of what was sent before
+        self._push()  # complete a record of which a part was sent before
         self._unsent = records
         try:
             self._push()
@@ -54,7 +54,7 @@ class RecordSocket:
             if len(self._unsent) == len(records):
                 self._unsent = b""
                 raise
-            # what has begun is ended by the next one
+            # records of which a part was sent are completed by the next call
 
     def receive(self, timeout_s: float | None = 0.0) -> bytes:
         """Return the records that have arrived, one behind the other; none: nothing has.
@@ -79,12 +79,12 @@ class RecordSocket:
         return arrived[:whole]
 
     def close(self) -> None:
-        """Close this end, so that the other one is told."""
+        """Close this end; the other process gets an error when it reads."""
         self._receiving.close()
         self._sending.close()
 
     def _push(self) -> None:
-        """Send what waits.
+        """Send the bytes that are not sent yet.
 
         Raises:
             TimeoutError: There is no room for all of it.

@@ -1,8 +1,8 @@
 """Folders for temporary files; the next program removes those that a killed one left.
 
-In each folder lies a file that its program holds locked until it ends: that is asked first, as it
-is true whatever the system makes of process numbers. Where there is no such lock, in a folder
-of an older version or on a file system without locks, the number in the folder's name is asked for.
+In each folder lies a file that its program locks until it ends. The lock is checked first, because
+the system may give an ended process's number to another one. Without a lock, in a folder of an
+older version or on a file system without locks, the process number in the folder's name is checked.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ _NAME: Final = re.compile(r"armui-(?:replay|work)-(?:(\d{1,10})-)?[a-z0-9_]+")
 _OLD_S: Final = 600.0
 """A younger folder may belong to a program that has just started."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
-"""A process number may be another's by now: nobody looks at one log for a week."""
+"""After a week only the age counts: by then another process may have the number in the name."""
 _LOCK: Final = "in-use.lock"
-"""In the folder, which is closed to others: beside it, anybody could put a link in its place."""
+"""It lies inside the folder, which other users cannot open: beside it they could place a link."""
 _SYNCHRONIZE: Final = 0x100000
 _WAIT_TIMEOUT: Final = 0x102
 _ACCESS_DENIED: Final = 5
@@ -46,9 +46,9 @@ class ScratchFolder:
     lock: FileLock
 
     def remove(self) -> None:
-        """Remove the folder; while a file in it cannot be removed, it stays, and locked.
+        """Remove the folder; if a file in it cannot be removed, the folder stays, and stays locked.
 
-        Windows removes no file that is open. What is left goes with the next call, or with a later
+        Windows does not remove open files. The rest is removed by the next call, or by a later
         program.
         """
         with contextlib.suppress(OSError):
@@ -79,7 +79,7 @@ def make_folder(purpose: str) -> ScratchFolder:
     """
     path = Path(tempfile.mkdtemp(prefix=f"armui-{purpose}-{os.getpid()}-"))
     lock = FileLock(path / _LOCK, thread_local=False)
-    # Where the file system has no locks, the process number in the name must tell who uses it.
+    # on a file system without locks, the process number in the name is checked instead
     with contextlib.suppress(OSError, NotImplementedError, Timeout):
         lock.acquire(blocking=False)
     return ScratchFolder(path, lock)
@@ -101,7 +101,7 @@ def remove_leftovers() -> int:
 
 
 def _is_held(path: Path) -> bool:
-    """Tell whether a running program holds a lock; where nobody can tell, it does."""
+    """Return whether a running program holds a lock; true, too, if that cannot be found out."""
     lock = FileLock(path, thread_local=False)
     try:
         lock.acquire(blocking=False)
@@ -137,7 +137,7 @@ if sys.platform == "win32":
 else:
 
     def _is_living(process: int) -> bool:
-        """Tell whether there is a process of this number; where nobody can tell, there is."""
+        """Return whether a process of this number exists; true if that cannot be found out."""
         try:
             os.kill(process, 0)
         except ProcessLookupError:
@@ -157,10 +157,10 @@ def lives_on_windows(kernel: Any, process: int, last_error: Any) -> bool:
     """
     handle = kernel.OpenProcess(_SYNCHRONIZE, False, process)
     if not handle:
-        # another user's, or the system's own, is there, and not ours to look at
+        # access denied: it exists, but belongs to another user or to the system
         return bool(last_error() == _ACCESS_DENIED)
     try:
-        # a process that somebody still holds a handle of has its number, also after its end
+        # an ended process keeps its number as long as somebody holds a handle of it
         return bool(kernel.WaitForSingleObject(ctypes.c_void_p(handle), 0) == _WAIT_TIMEOUT)
     finally:
         kernel.CloseHandle(ctypes.c_void_p(handle))

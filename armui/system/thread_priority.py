@@ -97,7 +97,7 @@ if sys.platform == "linux":
             return Rise(RaisedBy.SYSTEM)
         try:
             _by_rtkit(wanted)
-        except Exception as error:  # noqa: BLE001 - D-Bus fails in many ways; none is ours to mend
+        except Exception as error:  # noqa: BLE001 - D-Bus fails in many ways beyond our control
             return Rise(RaisedBy.NOBODY, str(error) or type(error).__name__)
         return Rise(RaisedBy.RTKIT)
 
@@ -111,9 +111,9 @@ if sys.platform == "linux":
             PermissionError: it does not go that far.
         """
         for thread_id in thread_ids:
-            with contextlib.suppress(ProcessLookupError):  # it has just ended
+            with contextlib.suppress(ProcessLookupError):  # the thread has just ended
                 if os.getpriority(os.PRIO_PROCESS, thread_id) > NICE:
-                    # a browser opened from the menu is no part of this
+                    # processes started by this thread, such as a browser, get the ordinary priority
                     ordinary = os.SCHED_OTHER | os.SCHED_RESET_ON_FORK
                     os.sched_setscheduler(thread_id, ordinary, os.sched_param(0))
                     os.setpriority(os.PRIO_PROCESS, thread_id, NICE)
@@ -133,7 +133,7 @@ if sys.platform == "linux":
         rtkit = DBusAddress("/org/freedesktop/RealtimeKit1", name, name)
         with open_dbus_connection(bus="SYSTEM") as connection:
             for thread_id in thread_ids:
-                with contextlib.suppress(ProcessLookupError):  # it has just ended
+                with contextlib.suppress(ProcessLookupError):  # the thread has just ended
                     if os.getpriority(os.PRIO_PROCESS, thread_id) > NICE:
                         asked = (os.getpid(), thread_id, NICE)
                         method = "MakeThreadHighPriorityWithPID"

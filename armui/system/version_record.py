@@ -91,7 +91,7 @@ def _read(note: Path) -> tuple[str, TakenOver | None]:
 
 def _understood(kept: dict[str, Any]) -> TakenOver:
     files = {str(kind): int(count) for kind, count in kept["files"].items()}
-    datetime.fromisoformat(kept["at"])  # what is no time is no note of ours
+    datetime.fromisoformat(kept["at"])  # raises ValueError for a file that is none of ours
     return TakenOver(str(kept["before"]), str(kept["version"]), kept["at"], files)
 
 

@@ -2,4 +2,4 @@
 
 from armui.ui.override_guard import guard_overrides
 
-guard_overrides()  # before the first class of a widget
+guard_overrides()  # before the first widget class is defined: only later classes are guarded

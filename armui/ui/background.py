@@ -22,7 +22,7 @@ Then = Callable[[Any], object]
 
 
 Steps = Generator[Callable[[Then], object], Any, None]
-"""Long work as one function: it yields what begins a piece of it, and goes on with the result."""
+"""Long work as a generator: it yields functions that begin a step, and gets each step's result."""
 
 
 def in_order(steps: Steps, goes_on: Callable[[], bool]) -> None:
@@ -103,7 +103,7 @@ class Background(QObject):
         executor.submit(work, *args).add_done_callback(lambda done: self._arrived.emit(then, done))
 
     def warm_up(self, work: Callable[[], object]) -> None:
-        """Run work whose result nobody waits for."""
+        """Run work in the background whose result is not needed."""
         self._workers.submit(work)
 
     def _on_arrived(self, then: Then, done: Future[object]) -> None:

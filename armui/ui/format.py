@@ -9,7 +9,7 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication
 
 NOTHING: Final = "—"
-"""The text for a value that has not been heard from the arm."""
+"""The text for a value that the arm has not reported."""
 
 DECIMALS: Final = 3
 """The decimals of angles and lengths: the resolution of the bus."""
@@ -56,8 +56,8 @@ def short_angle(value_deg: float) -> str:
 def spoken(values: Sequence[float]) -> list[str]:
     """Return the figures of one sentence without their units.
 
-    They have one decimal at most; those below 1, and all where two would look alike, as an angle
-    and the limit it exceeds, have as many as the bus.
+    They have at most one decimal. Figures below 1 have the decimals of the bus, and so have all if
+    two would look alike, such as an angle and the limit it exceeds.
     """
     large = {value for value in values if abs(value) >= 1}
     alike = len({number(value, 1) for value in large}) < len(large)
@@ -128,7 +128,7 @@ def clock(seconds: float, decimals: int = 0) -> str:
 
 
 def short(name: str) -> str:
-    """Return a name that the operator has given as it fits on a button."""
+    """Return a name given by the operator, shortened to fit on a button."""
     return name if len(name) <= _SHORT else f"{name[: _SHORT - 1]}…"
 
 

@@ -10,10 +10,10 @@ from armui.control.operating_state import OperatingState
 
 
 def is_stale(heard: Reading[Any] | None, state: ArmState, operating_state: OperatingState) -> bool:
-    """Return whether a value was heard, but is too old now.
+    """Return whether a reported value is too old.
 
-    While the arm is online its last frame is the clock: a value that has not come for half a second
-    while others arrive is stale. Offline, everything heard is stale.
+    While the arm is online, time is taken from its last frame: a value is stale if others have
+    arrived for half a second without it. Offline, every value is stale.
     """
     if heard is None:
         return False

@@ -13,8 +13,9 @@ from typing import Final
 from PySide6.QtCore import QObject, QTimer
 
 _LOOK_MS: Final = 500
+"""The period of the search for new garbage, in place of Python's count of new objects."""
 _LOOKS: Final = 120
-"""The number of searches after which everything since the start is searched: once a minute."""
+"""The number of searches after which all objects are searched: about once a minute."""
 
 
 class GarbageSearch(QObject):

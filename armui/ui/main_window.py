@@ -240,13 +240,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         work = in_column(run, gamepad, (self._work_column, 1), spacing=0)
         middle = (in_row(self._menu, (work, 1), spacing=0), 1)
         in_column(top, lease, middle, self._status_bar, on=self, spacing=0, margins=0)
-        self.setFocus()  # no control has the focus before the operator chooses one
+        self.setFocus()  # no control has the focus at first: a key could press it by mistake
 
     def _offer(self, parts: Iterable[Offering]) -> None:
-        """Hand what can be done in the window to the palette, the shortcuts and the guide."""
+        """Pass the commands of all parts to the palette, the list of shortcuts and the guide."""
 
         def sources() -> list[CommandSource]:
-            # loaded when nothing else is to be done, or here
+            # loaded in idle time, or here if it is needed before
             from armui.ui.trajectory.running.run_strip import RunStrip  # noqa: PLC0415
 
             return [
@@ -285,7 +285,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
     # -- panels -------------------------------------------------------------------------------
 
     def _on_entry_chosen(self, place: int) -> None:
-        """Switch the operation area; what is not saved in it asks first."""
+        """Switch the operation area; if entries would be lost, the operator is asked first."""
         self._show_where()
         left = [] if place == self._panels.currentIndex() else [self._panels.currentWidget()]
         leave_then(self, self._controller, left, lambda: self._show_panel(place))
@@ -295,7 +295,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._keeper.note()
 
     def _lock(self, *, wanted: bool) -> None:
-        """Enter or leave the operator's view, which is kept; a page of settings is left."""
+        """Enter or leave the operator's view, and store that; a panel of settings is left."""
         set_operator_view(wanted=wanted)
         self._keeper.layout = replace(self._keeper.layout, operator_view=wanted)
         self._keeper.note()
@@ -308,13 +308,13 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         self._show_where()
 
     def _show_where(self) -> None:
-        """Mark in the menu, or by the library's button, what stands beside the picture."""
+        """Mark what is shown beside the picture: an entry of the menu, or the library's button."""
         pages = self._work_area.shows_pages
         self._menu.choose(None if pages else self._panels.currentIndex())
         self._library_button.setChecked(pages)
 
     def _leave_arm_then(self, asking: QWidget, proceed: Callable[[], object]) -> None:
-        """Leave the arm, or the program; what is not saved, and what is under way, asks first."""
+        """Leave the arm or the program; first ask about unsaved entries and motion under way."""
         leave_then(
             asking,
             self._controller,
@@ -417,7 +417,7 @@ class MainWindow(Translated, KeepsFocus, QWidget):
         under_way |= gives_way(operating_state)
         at_stake = under_way or is_taught(self._controller) or unsaved(self._panels.panels)
         if at_stake and not self._may_close:
-            event.ignore()
+            event.ignore()  # questions do not block: `_close_now` closes again after the answers
             close = partial(close_unless_moving, self, self._controller, self._close_now)
             self._leave_arm_then(self, close)
             return

@@ -1,9 +1,9 @@
 """Keeps exceptions within the functions that Qt calls: its events, and what it asks of a widget.
 
-PySide keeps an exception of such a function until the call from Python ends within which Qt has
-called it. Until then each further function of ours that Qt calls is left out, PySide 6.11.3 gives
-back a reference to it that is in use, so that it is freed sooner or later, and the exception may be
-lost. An exception that is told at once does none of this.
+PySide keeps an exception of such a function until the call from Python returns in which Qt called
+it. Until then PySide skips each further function of ours that Qt calls, PySide 6.11.3 releases a
+reference to it that is still in use, so that it is freed sooner or later, and the exception may be
+lost. None of this happens if the function reports its exception itself.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ _QUESTIONS: Final = frozenset(
         *("filterAcceptsRow", "lessThan", "paint", "drawRow"),
     }
 )
-"""The functions that Qt asks while it lays out and draws; it is given its own answer instead."""
+"""Functions that Qt asks while it lays out and draws: Qt's own answer replaces an exception."""
 
 
 def is_guarded(kind: type, name: str) -> bool:
-    """Return whether a function of this name, in a class like this, is called by Qt and guarded."""
+    """Return whether Qt calls a function of this name in such a class, so that it is guarded."""
     if name not in _FILTERS | _QUESTIONS and not name.endswith("Event"):
         return False
     return any(name in vars(base) for base in kind.__mro__ if base.__module__.startswith("PySide6"))
 
 
 def guarded(function: Callable[..., Any], kind: type | None = None) -> Callable[..., Any]:
-    """Return a function of a class that tells of its exceptions itself, as if Qt had called it.
+    """Return a function that reports its exceptions itself, instead of passing them to PySide.
 
     Args:
         function: The function; after an exception an event counts as not handled.
@@ -48,14 +48,14 @@ def guarded(function: Callable[..., Any], kind: type | None = None) -> Callable[
     def call(self: Any, *arguments: Any, **named: Any) -> Any:
         try:
             return function(self, *arguments, **named)
-        except Exception as error:  # noqa: BLE001 - whatever it is, Qt must not meet it
+        except Exception as error:  # noqa: BLE001 - no exception may reach Qt
             # the trace begins at the function that failed, as PySide would report it, not in this
             # wrapper
             trace = error.__traceback__ and error.__traceback__.tb_next
             sys.excepthook(type(error), error.with_traceback(trace), trace)
         if kind is None or name not in _QUESTIONS:
             return False
-        with suppress(Exception):  # pure virtual functions have no answer of Qt's own
+        with suppress(Exception):  # pure virtual functions have no implementation in Qt
             return getattr(super(kind, self), name)(*arguments, **named)
         return 0 if name.endswith("Count") else None
 

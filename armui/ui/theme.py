@@ -158,8 +158,8 @@ DARK: Final = Colors(
 def colors_of(widget: QWidget) -> Colors:
     """Return the colours of a widget's theme.
 
-    The application's palette tells it: a widget that the style sheet gives a transparent background
-    has that in its own.
+    They are chosen by the application's palette: the style sheet can make a widget's own
+    transparent.
     """
     window = QApplication.palette(widget).color(QPalette.ColorRole.Window)
     return DARK if window.lightness() < 128 else LIGHT
@@ -173,9 +173,9 @@ def curve_colors(widget: QWidget) -> tuple[str, ...]:
 def ui_font() -> QFont:
     """Return the font of the present language; digits of equal width.
 
-    In English a Latin font for its quotation marks comes first, the system's where that is one,
-    then fonts with Chinese glyphs; in Chinese these come first. A language chosen later gets its
-    font at the next start: Qt has crashed as the application's font changed below open windows.
+    For Chinese, fonts with Chinese glyphs come first. For English, a Latin font comes before them,
+    for its quotation marks: the system's if it is Latin. A language chosen later gets its font at
+    the next start: Qt has crashed when the application's font was changed while windows were open.
     """
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.GeneralFont)
     if shown_language() == "zh":

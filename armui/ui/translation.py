@@ -55,7 +55,7 @@ class Translator:
             TranslationMissingError: The file is missing; the language is unchanged.
         """
         wanted = self._load(language)
-        # first the new words, then the old away: nothing flashes up in English in between
+        # install the new ones first: otherwise English would appear for a moment
         for translator in wanted:
             self._app.installTranslator(translator)
         for translator in self._installed:
@@ -72,5 +72,5 @@ class Translator:
             raise TranslationMissingError(f"no {_OWN}_{language}.qm in {self._folder}")
         qt = QTranslator(self._app)
         folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-        # a system's own build of Qt may come without: then its few words stay English
+        # Qt packaged by a system may lack it: its few texts then stay English
         return [qt, own] if qt.load(QLocale(_QT_LOCALES[language]), _QT, "_", folder) else [own]

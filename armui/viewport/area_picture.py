@@ -11,7 +11,7 @@ from armui.viewport.robot_shape import moved
 from armui.viewport.vectors import Vector
 
 _FURTHEST_M: Final = 1.2
-"""Of a large box that much of it is looked at, on each side of the base."""
+"""The part of a large box that is fitted into the picture: so far on each side of the base."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,7 +23,7 @@ ON_THE_FLOOR: Final[tuple[float, ...]] = (
     *(0.0, 1.0, 0.0, 0.0),
     *(0.0, 0.0, 1.0, 0.0),
 )
-"""The placement of a base that stands upright on the floor."""
+"""The placement of a base that is upright on the floor."""
 _SAME_ANGLE_DEG: Final = 0.005
 """A smaller difference moves nothing by a pixel: an arm at rest whose last digit changes is not
 drawn again.

@@ -40,8 +40,7 @@ class Picture:
         pixels = frame.memory.slot(frame.slot, stride * height)
         self.image = QImage(pixels, width, height, stride, QImage.Format.Format_RGB32)
         self.image.setDevicePixelRatio(frame.drawn.pixel_ratio)
-        # the image has taken the address, and the frame keeps the memory alive: this view of it can
-        # go
+        # the image points into the memory, which `frame` keeps alive: this view is no longer needed
         pixels.release()
 
 
@@ -158,7 +157,7 @@ class PictureClient(QObject):
 
         link, news = told
         if link is not self._link or link is None:
-            return  # it comes from a process that was given up meanwhile
+            return  # from a process that was already given up
         if isinstance(news, PictureFrame):
             self._note_drawn(news.drawn)
             self.frame_ready.emit(Picture(news))

@@ -197,8 +197,9 @@ def _seen(camera: OrbitCamera, groups: Groups, room: Room) -> list[Vector]:
 def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[Vector]:
     """Return those of many places that can be the outermost in some rectangle of the picture.
 
-    What counts at an edge is how far aside a place is, and a share of how near; the share lies
-    between those of the picture's own edges, and whatever two places differ by is linear in it.
+    At an edge the place with the greatest sum of its distance aside and a share of its nearness is
+    the outermost. The share lies between those of the picture's own edges, and the sum is linear in
+    it: a place exceeded by the same one at both ends of the range never is.
     """
     unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
     most = max(room.width_px, room.height_px) / unit.pixels_a_metre(camera.focus_m)
@@ -217,8 +218,8 @@ def _deciding(seen: Sequence[Vector], camera: OrbitCamera, room: Room) -> list[V
 def _within(camera: OrbitCamera, seen: Sequence[Vector], box: Box, room: Room) -> OrbitCamera:
     """Return the nearest camera that shows everything in a rectangle.
 
-    What is seen at the edge of the rectangle is a plane through the eye; each of the four gives a
-    condition that is linear in the place and the distance of the camera.
+    Each edge of the rectangle is a plane through the eye. That all places lie inside of it is a
+    condition linear in the place and the distance of the camera.
     """
     unit = Projection(replace(camera, distance_m=1.0), room.width_px, room.height_px)
     size_px = unit.pixels_a_metre(camera.focus_m)

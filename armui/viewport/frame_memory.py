@@ -83,7 +83,7 @@ class FrameMemory:
 
 
 def _check_room(size_bytes: int) -> None:
-    """Raise OSError without so much free room: Linux gives it even so, and ends who writes."""
+    """Raise OSError if too little is free: Linux would grant it, and kill who writes to it."""
     if sys.platform != "win32" and _PLACE.is_dir():
         room = os.statvfs(_PLACE)
         if room.f_blocks and room.f_bavail * room.f_frsize < size_bytes:

@@ -35,13 +35,10 @@ _JOINT_HALF_DEG: Final = 70.0
 _ARC_STEP_DEG: Final = 6.0
 _NEAR_PX: Final = 8.0
 _ALONG_SIGHT: Final = 0.97
-"""The cosine from which an axis points at the eye and can't be dragged along: a pixel would be a
-metre.
-"""
+"""An axis can't be dragged if its cosine with the sight is above this: a pixel would be a metre."""
 EDGE_ON: Final = 0.13
-"""Cosine of the angle between sight and axis below which a ring is seen from its edge: it can't be
-turned then, for the same reason. A joint's arc can, see :class:`GripDrag`.
-"""
+"""The cosine between sight and axis below which a ring is seen from its edge: it can't be turned
+then, for the same reason. A joint's arc can, see :class:`GripDrag`."""
 _ARROW_SHARE: Final = 0.09
 _SAME_PX: Final = 3.0
 """The distance at which the near and the far side of an arc, seen from its edge, coincide."""
@@ -54,7 +51,7 @@ _BEYOND: Final = 1.0 / math.cos(math.radians(_ROUND_DEG))
 
 
 class GripKind(enum.Enum):
-    """The motion that a handle stands for."""
+    """The kind of motion by a handle."""
 
     AXIS = enum.auto()
     """Moves the tool along an axis."""
@@ -69,7 +66,7 @@ class Grip:
     """One handle.
 
     Attributes:
-        kind: The motion it stands for.
+        kind: The kind of motion.
         number: 0–2 for X, Y, Z; 1–6 for a joint.
         origin: Its place in the base frame, metres.
         axis: The unit vector along or about which it moves.
@@ -223,8 +220,8 @@ class GripDrag:
     def __init__(self, grip: Grip, projection: Projection, x_px: float, y_px: float) -> None:
         self.grip = grip
         self._projection = projection
-        self._radius_m = 0.0  # of the cylinder; 0: it is followed in its plane
-        self._first = square_to(grip.axis)  # where angles are counted from
+        self._radius_m = 0.0  # the cylinder's; 0 while the pointer is followed in the turn's plane
+        self._first = square_to(grip.axis)  # the direction of angle 0
         self._is_near = True
         ahead = sight(projection, grip.origin)
         if grip.kind is GripKind.JOINT and abs(dot(grip.axis, ahead)) <= EDGE_ON:
@@ -247,7 +244,7 @@ class GripDrag:
         if self.grip.kind is GripKind.AXIS:
             return (now - self._start) * 1000.0
         if self._radius_m > 0.0:
-            return now - self._start  # a wheel's angle grows without end
+            return now - self._start  # the angle of a wheel may exceed a whole turn
         # on the shorter way round from the last place: a ring can be turned more than once
         self._turns += (now - self._last + 180.0) % 360.0 - 180.0
         self._last = now
@@ -288,7 +285,7 @@ class GripDrag:
 
 
 def _wheel_deg(aside: float) -> float:
-    """Return the degrees from the side facing the eye, of a point so many radii off the middle."""
+    """Return the angle from the side facing the eye for a distance from the axis, in radii."""
     if abs(aside) <= _ROUND:
         return math.degrees(math.asin(aside))
     beyond = math.degrees((abs(aside) - _ROUND) * _BEYOND)
@@ -296,7 +293,7 @@ def _wheel_deg(aside: float) -> float:
 
 
 def _is_near(grip: Grip, projection: Projection, ahead: Vector, at_px: tuple[float, float]) -> bool:
-    """Return whether the side that faces the eye is taken; where both are there, it is that."""
+    """Return whether the arc was grabbed on the side facing the eye, or on both at once."""
     pixels = [projection.pixel(place) for place in grip.places]
     away: list[tuple[float, float]] = []
     for place, (one, other) in zip(grip.places, itertools.pairwise(pixels), strict=False):

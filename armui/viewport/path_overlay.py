@@ -135,7 +135,7 @@ def finding_at(
 
 
 def _seen_px(projection: Projection, place_m: Vector) -> tuple[float, float]:
-    """Return the pixel of a place; one behind the eye is far off, on the side that it is on."""
+    """Return the pixel of a place; for one behind the eye, one far outside in its direction."""
     pixel = projection.pixel(place_m)
     if pixel is not None:
         return pixel

@@ -93,8 +93,8 @@ class PictureFrame:
 
     Attributes:
         number: The frame's number, for `ProcessLink.frame_used`.
-        memory, slot, size_px: Its place in the memory, and its size.
-        drawn: The answer that it came with.
+        memory, slot, size_px: The memory, the image's number in it, and its size.
+        drawn: The answer of the process for it.
     """
 
     number: int
@@ -163,7 +163,7 @@ class ChildProcess:
         if len(content) < _SMALL_BYTES:
             self._connection.send_bytes(content)
             return
-        # A process that stands still does not empty the pipe: a large message would wait for ever.
+        # a hanging process does not empty the pipe: sending a large message would block for ever
         limit = threading.Timer(_TAKEN_LIMIT_S, self.kill)
         limit.daemon = True
         limit.start()
@@ -194,6 +194,7 @@ class ChildProcess:
         Returns:
             The name of the signal that ended it, or its exit code.
         """
+        # wait first: a process that is ending tells by its exit code why
         self._process.join(_END_LIMIT_S / 2.0)
         self.kill()
         self._process.join(_END_LIMIT_S)
@@ -382,7 +383,7 @@ class RenderSession:
         memory = self._memory
         if memory is None:
             return
-        # the answer proves that the process has opened the memory: nobody needs its name any more
+        # the answer proves that the process has opened the memory: its name is no longer needed
         memory.unlink_name()
         if drawn.size_px is None:
             self._tell(drawn)  # the last image shows this state as well
@@ -578,7 +579,7 @@ class ProcessLink:
                 return
 
     def _draw_in_one_process(self) -> Refusal | None:
-        """Draw until the process is lost; why. None: a robot was to blame, and is put aside."""
+        """Draw until the process is lost; return why, or ``None`` if a robot caused it."""
         self._mailbox.resume()
         self._mailbox.reset_results()
         try:
@@ -608,7 +609,7 @@ class ProcessLink:
             how = child.end()
             session.close()
         self._asked_serial = session.asked_serial
-        # a robot that fails leaves the one before in the picture; the next process has none yet
+        # the next process has no earlier robot to show in place of one that fails: put it aside
         self._put_aside = session.failed_robot or self._put_aside
         reason = reason or PICTURE_PROCESS_ENDED(text=how)
         return None if self._blames_robot(session, reason) else reason
@@ -634,7 +635,7 @@ class ProcessLink:
         return replace(state, robot=self._proven) if bad else state
 
     def _blames_robot(self, session: RenderSession, reason: Refusal) -> bool:
-        """Put a robot aside whose loading or first picture was the end of the process."""
+        """Put a robot aside if the process was lost while loading or first drawing it."""
         suspect = session.robot
         if (
             suspect is None

@@ -139,7 +139,7 @@ class StrokePainter:
         projection: Projection,
         palette: ScenePalette,
     ) -> None:
-        """Write beyond the end of a line that is in the picture, so that it stands on neither."""
+        """Write a label beyond the end of a line and clear of it, if its end is visible."""
         before, end = line
         if not _whole(projection).contains(end):
             return
@@ -212,7 +212,7 @@ class StrokeLayer:
 
 
 def room_around(pixels: Iterable[tuple[float, float] | None], projection: Projection) -> QRectF:
-    """Return the rectangle of pixels and of the labels beside them."""
+    """Return the rectangle around pixels, with room for the labels beside them."""
     points = QPolygonF([QPointF(*pixel) for pixel in pixels if pixel is not None])
     if points.isEmpty():
         return QRectF()
@@ -225,7 +225,7 @@ def _whole(projection: Projection) -> QRectF:
 
 
 def _moved_inside(label: QRectF, projection: Projection) -> QRectF:
-    """Return where a label stands if the edges of the picture are not to cut it."""
+    """Return a label's rectangle moved so that the edges of the picture do not cut it."""
     left = min(label.left(), projection.width_px - label.width())
     top = min(label.top(), projection.height_px - label.height())
     return QRectF(QPointF(max(0.0, left), max(0.0, top)), label.size())

@@ -164,7 +164,7 @@ class ArmView(QWidget):
         self._rest.timeout.connect(self._on_rest)
         self._glance = QTimer(self, singleShot=True, interval=_GLANCE_MS)
         self._glance.timeout.connect(self._on_glance)
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)  # the picture covers all of it
         self.setMinimumSize(240, 200)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         # moves without a button reveal that a button was released elsewhere, see `mouseMoveEvent`
@@ -335,7 +335,7 @@ class ArmView(QWidget):
         self._show(replace(self._state, reach=reach, camera=self._viewpoint.camera))
 
     def set_area(self, area: AreaPicture, base: Sequence[float] = (0.0,) * 6) -> None:
-        """Show the planes and boxes of a work area, and stand the base so in the room."""
+        """Show the planes and boxes of a work area, and place the base in the room."""
         self._viewpoint.set_placement(pose_rows(base))
         if area != self._state.area:
             self._viewpoint.set_boxes(tuple(corners(area)))
@@ -344,7 +344,7 @@ class ArmView(QWidget):
             self._show(replace(self._state, area=area, camera=camera))
 
     def bring_in(self, area: AreaPicture) -> None:
-        """Have boxes in the picture that are new in it, unless the operator has turned it."""
+        """Move the camera back to show newly added boxes, unless the operator has moved it."""
         self._viewpoint.bring_in(tuple(corners(area)))
         self._take_camera()
 
@@ -445,7 +445,7 @@ class ArmView(QWidget):
             self._take_camera()
 
     def _look_at(self, state: ViewState) -> None:
-        """Show a state in which the arm or its ghost may stand elsewhere."""
+        """Apply a state in which the arm or ghost may have moved; move the camera if needed."""
         moved = state.angles_deg is not self._state.angles_deg
         moved = moved or state.preview.ghost_deg != self._state.preview.ghost_deg
         if moved and self.isVisible():
@@ -470,13 +470,13 @@ class ArmView(QWidget):
         self.view_changed.emit()
 
     def _look_through(self, camera: OrbitCamera | None) -> None:
-        """Take the camera that the operator has moved."""
+        """Take over the camera that the operator has moved; ``None`` changes nothing."""
         if camera is None or self._viewpoint.is_carried:
             return
         self._viewpoint.move_by_hand(camera)
         self._take_camera()
 
-    # what is asked for, and what comes ---------------------------------------------------------
+    # requests and answers ----------------------------------------------------------------------
 
     def _show(self, state: ViewState) -> None:
         self._state = state
@@ -491,7 +491,7 @@ class ArmView(QWidget):
             return
         self._hud = values
         if not self._client.is_running or self._client.is_settled or self._lost is not None:
-            self._paint_figures()  # no picture is on its way that the figures could wait for
+            self._paint_figures()  # no picture is awaited for the figures to appear with
         elif not self._figures_wait.isActive():
             self._figures_wait.start()
 
@@ -527,7 +527,7 @@ class ArmView(QWidget):
         shown = self._asked.get(sequence, self._state)
         self._asked = {each: state for each, state in self._asked.items() if each >= sequence}
         if is_first and shown.camera != self._state.camera:
-            # its camera is wrong: the size of the robot was not known yet
+            # drop it: its camera was fitted before the size of the robot was known
             self._client.frame_used(picture)
             return
         self._picture = picture
@@ -540,14 +540,14 @@ class ArmView(QWidget):
             self.first_frame_shown.emit()
 
     def _on_lost(self, lost: Lost) -> None:
-        """End a drag as the picture is lost: no one may aim at what is not drawn any more (S24)."""
+        """End a drag, because handles in a lost picture are not where they seem to be (S24)."""
         self._lost = lost
         self._again_button.setVisible(not lost.comes_back)
         self.update()
         self.give_up_drag()
 
     def _notice(self) -> str:
-        """Say what is wrong with the picture; empty when nothing is."""
+        """Return the notice on a missing or late picture; "" if there is none."""
         if self._lost is not None:
             return lost_text(self._lost)
         if self._picture is None:
@@ -560,7 +560,7 @@ class ArmView(QWidget):
         self._again_button.setText(QCoreApplication.translate("ArmView", "Restart the 3D view"))
 
     def quantities_at(self, place: QPoint) -> list[str]:
-        """Return the key of the figure at a place, if it has a curve, which is in the base."""
+        """Return the key of the curve for the figure at a place; none for poses in a user frame."""
         hud = self._hud
         key = self._hud_painter.quantity_at(QPointF(place), self.font(), of_tool=hud.of_tool)
         return [] if key is None or (hud.frame and "joint" not in key) else [key]
@@ -624,7 +624,7 @@ class ArmView(QWidget):
         self._fit_size()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Cancel a drag."""
+        """Cancel a drag, because its release would not be noticed."""
         super().hideEvent(event)
         self.give_up_drag()
 
@@ -763,13 +763,13 @@ class ArmView(QWidget):
             self._show(replace(self._state, pick=self._question(event.position())))
 
     def _question(self, at: QPointF) -> PickRequest:
-        """Ask which link or mark is seen at a place."""
+        """Return a request for the link or mark at a place."""
         self._pick_serial += 1
         place = at * self._state.pixel_ratio
         return PickRequest(self._pick_serial, place.x(), place.y())
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom."""
+        """Zoom by the notches of the wheel."""
         self._look_through(turn_wheel(event, self._state.camera))
         event.accept()
 

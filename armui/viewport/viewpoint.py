@@ -36,7 +36,7 @@ _FOLLOWED_AT_M: Final = 0.75
 _TRIED: Final = 8
 """The steps in the range of a joint in which its reach is computed."""
 _LETTERS: Final = ((0.19, 0.0, 0.0), (0.0, 0.19, 0.0))
-"""Behind the letters X and Y of the base, in metres; Z is within the arm."""
+"""Places beyond the letters X and Y at the base, in metres; the Z axis is within the arm."""
 _SLACK_PX: Final = 10.0
 """The arm may come this far into the margin before the camera moves back."""
 
@@ -78,7 +78,7 @@ class Viewpoint:
         self._is_held = False
         self.is_carried = False
 
-    # what there is to see ---------------------------------------------------------------------
+    # what is visible --------------------------------------------------------------------------
 
     def set_shape(self, shape: RobotShape) -> None:
         """Set the robot in the picture, once it is known."""
@@ -126,7 +126,7 @@ class Viewpoint:
                 self._refit(exactly=True)
 
     def bring_in(self, places: Sequence[Vector]) -> None:
-        """Have places in the picture that are new in it; they stay in it like those of the arm."""
+        """Move the camera back to show newly added places, too; they stay in view like the arm."""
         if self.mode is ViewMode.FIT and self._shape is not None and not self._is_held:
             self._been = [*self._been, places]
             self.camera = self._fitted(_GROWN)
@@ -223,8 +223,6 @@ class Viewpoint:
         links = (shape.outline(shape.links(*pose)) for pose in self._poses)
         return boxes(self.camera, [group for pose in links for group in pose], self._room)
 
-    # ------------------------------------------------------------------------------------------
-
     def _refit(self, *, exactly: bool) -> None:
         shape = self._shape
         if shape is None or self._is_held:
@@ -235,8 +233,7 @@ class Viewpoint:
         elif self.mode is ViewMode.FIT and (exactly or not self._is_all_clear(shape)):
             if exactly:
                 self._been.clear()
-            # places where the arm has been stay in view, or the picture would swing with an arm
-            # that goes to and fro
+            # keep places where the arm was in view: else the camera would move to and fro with it
             self.camera = self._fitted(1.0 if exactly else _GROWN)
             self._been = outermost(self.camera, [*self._groups(), *self._been])
 
@@ -268,7 +265,7 @@ class Viewpoint:
         return groups + self._standing()
 
     def _standing(self) -> list[Sequence[Vector]]:
-        """Return what is to be seen beside the arm and its ghost."""
+        """Return the places that must be visible besides the arm and its ghost."""
         boxes = self._boxes if self._with_boxes else ()
         return [(place,) for place in (*self._places, *boxes, *self._reached, *_LETTERS)]
 

@@ -9,7 +9,7 @@ from typing import Final
 from armui.viewport.messages import PictureBusy, PicturePhase
 
 _WAITS_SHARE: Final = 0.05
-"""A process that uses less of a free processor waits for something that does not come."""
+"""A process that uses less of a free processor is waiting for an event that does not come."""
 _LATE_S: Final = 0.03
 """A process that wakes up this late shares the processor with others: it is slow, not stuck."""
 _STARVED_SHARE: Final = 0.005
@@ -39,13 +39,13 @@ class Limits:
 
 
 LIMITS: Final = {
-    PicturePhase.STARTING: Limits(60.0, 120.0),  # a cold disk, a busy computer
-    PicturePhase.OPENING: Limits(10.0, 5.0),  # a graphics card that wakes up
-    PicturePhase.LOADING: Limits(10.0, 20.0),  # large meshes
-    PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # a driver compiles its shaders
+    PicturePhase.STARTING: Limits(60.0, 120.0),  # for a cold disk or a busy computer
+    PicturePhase.OPENING: Limits(10.0, 5.0),  # for a graphics card that has to wake up
+    PicturePhase.LOADING: Limits(10.0, 20.0),  # for large meshes
+    PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # for a driver that compiles its shaders
     PicturePhase.DRAWING: Limits(5.0, 1.0),
 }
-"""A silent process may be starved by others: it is given longer than one that tells its turns."""
+"""Limits of silence are longer: other programs may delay the sending of signs of life."""
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:
@@ -102,7 +102,7 @@ class PictureAge:
         return not self._newer
 
     def wanted(self, sequence: int, now_s: float) -> None:
-        """Note a newer state."""
+        """Note that a picture of a newer state was requested."""
         self._newer.append((sequence, now_s))
 
     def shown(self, sequence: int, now_s: float) -> None:

@@ -35,10 +35,10 @@ _Method = TypeVar("_Method", bound=Callable[..., object])
 
 
 class _Marks:
-    """Marks the methods of a widget that belong to an act; those of a family get the key."""
+    """Decorators for the methods of an act; those of a family are called with the key."""
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method under the name of what it is for."""
+        """Register a method for one purpose, such as ``pressed``."""
         raise NotImplementedError
 
     def pressed(self, method: _Method) -> _Method:
@@ -58,33 +58,33 @@ class _Marks:
         return self.mark("tip", method)
 
     def whose(self, method: _Method) -> _Method:
-        """Mark the method that returns what it belongs to, where that is not the heading."""
+        """Mark the method that returns the owner's name, if that is not the heading."""
         return self.mark("whose", method)
 
     def lit(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is the main button, if it can be pressed."""
+        """Mark the method that returns whether to highlight the button, if it can be pressed."""
         return self.mark("lit", method)
 
     def there(self, method: _Method) -> _Method:
-        """Mark the method that returns true while it is seen at all, where it comes and goes."""
+        """Mark the method that returns whether the button is shown at all."""
         return self.mark("there", method)
 
 
 class Act(_Marks):
-    """A button, with all that belongs to it: what it does, its reason, its texts, its command.
+    """A button with its action, its reason, its texts and its command, declared once.
 
-    It is written on the class of the widget that shows it, and is the button when it is read from
-    an instance, where it is made at the first use. Its texts are translated in the context of that
-    class. What cannot be said in one line is a method of that class, marked by a decorator::
+    It is a class attribute of the widget that shows it. Read from an instance, it gives that
+    instance's button, created at the first use. Its texts are translated in the context of the
+    class. What does not fit into one line is a method of the class, marked by a decorator::
 
         confirm = Act("Confirm", named="light_confirm_button", does=Lights.set_light)
 
         @confirm.pressed
         def _on_confirm(self) -> None: ...
 
-    It can be pressed while its operation has no reason against it, and `needs` misses nothing; a
-    method marked by :meth:`why_not` takes the place of both. One without :meth:`pressed` is given a
-    menu by its owner.
+    It can be pressed while neither its operation nor `needs` gives a reason against it; a method
+    marked by :meth:`why_not` replaces both. An act without :meth:`pressed` gets a menu from its
+    owner.
 
     Args:
         text: The English text on it; a ``Text`` if that belongs to another context.
@@ -92,11 +92,11 @@ class Act(_Marks):
         does: The method of the controller's part that it leads to, declared as an operation.
         arguments: The arguments that the reason of the operation depends on.
         tip: The purpose in English, for the tooltip while it can be pressed; a ``Text`` as above.
-        whose: What a screen reader says before its text, as that belongs to it; True for the
-            heading of its owner, see :meth:`HasActs.heading`.
+        whose: The name of what it belongs to, which a screen reader reads before its text; True
+            for the heading of its owner, see :meth:`HasActs.heading`.
         key: The name of its command in the palette, which its shortcut has as well; "" for none.
-        shortcut: The name of its shortcut, where that has another one; "" if its keys are none of
-            the button, as they count in a list alone.
+        shortcut: The name of its shortcut, if it is not `key`; "" if the button has no keys,
+            because they only work in a list.
         title: The title in the palette; without it that of the shortcut or of the operation, or
             its text.
         needs: As in :class:`Command`.
@@ -165,7 +165,7 @@ class Act(_Marks):
         self._methods, self._member = methods, (key,)
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method under the name of what it is for."""
+        """Register a method for one purpose, such as ``pressed``."""
         self._methods[what] = method.__name__
         return method
 
@@ -224,13 +224,13 @@ class Act(_Marks):
         return partial(method, *self._member) if self._member else method
 
     def press(self, owner: HasActs) -> None:
-        """Do what a press of the button does, if nothing stands against it.
+        """Do what a press of the button does, if there is no reason against it.
 
-        Nothing but the operator's finger holds a button that must be held (S11).
+        A button that must be held does nothing here: only the operator's finger may hold it (S11).
         """
         if self._held or self.reason(owner):
             return
-        self.show(owner)  # a button that is off by what was known before takes no click
+        self.show(owner)  # update it first: a disabled button takes no click
         self.button(owner).click()
 
     def reason(self, owner: HasActs) -> str:
@@ -269,7 +269,7 @@ class Act(_Marks):
             button.setVisible(self._ask(owner, "there"))
 
     def _ask(self, owner: HasActs, what: str, default: Callable[[], Any] = str) -> Any:
-        """Return what the marked method says; without one the default."""
+        """Return the result of the marked method, or the default without one."""
         if what not in self._methods:
             return default()
         return getattr(owner, self._methods[what])(*self._member)
@@ -300,7 +300,7 @@ class ActFamily(_Marks, Generic[_Key]):
             act.declared_in(owner.__name__)
 
     def mark(self, what: str, method: _Method) -> _Method:
-        """Mark a method for all members."""
+        """Register a method for one purpose with all members."""
         return self._any.mark(what, method)
 
     @overload
@@ -392,7 +392,7 @@ class BoundAct:
         return self.act.reason(self.owner)
 
     def press(self) -> None:
-        """Do what a press of the button does, if nothing stands against it."""
+        """Do what a press of the button does, if there is no reason against it."""
         self.act.button(self.owner).window().activateWindow()
         self.act.press(self.owner)
 

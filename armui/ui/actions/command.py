@@ -24,21 +24,21 @@ Target = QWidget | QAction
 action.
 """
 Needs = Callable[[OperatingState], str]
-"""Returns in words what is missing for something to be done now; empty if nothing is."""
+"""Returns in words what is missing for a command; empty if nothing is."""
 
 
 def no_reason(*_: object) -> str:
-    """Return an empty reason: nothing stands in the way."""
+    """Return an empty reason: nothing is needed."""
     return ""
 
 
 def while_editing(_now: OperatingState) -> str:
-    """Return the sentence on what must be done before parameters can be saved or cancelled."""
+    """Return the sentence that parameters can be saved or cancelled only while they are edited."""
     return QCoreApplication.translate("Action", "Press Edit in the panel first.")
 
 
 def with_angles(now: OperatingState) -> str:
-    """Return the reason if the joint angles are not heard; empty otherwise."""
+    """Return the reason if the joint angles are not known; empty otherwise."""
     unknown = None if now.angles_known else JOINTS_UNKNOWN()
     return words.why_not(why_unreachable(now.link) or unknown)
 
@@ -51,7 +51,7 @@ def with_simulated(now: OperatingState) -> str:
 
 
 def with_pose(now: OperatingState) -> str:
-    """Return the reason if the pose of the flange is not heard; empty otherwise."""
+    """Return the reason if the pose of the flange is not known; empty otherwise."""
     unknown = None if now.pose_known else POSE_UNKNOWN()
     return words.why_not(why_unreachable(now.link) or unknown)
 

@@ -53,7 +53,7 @@ class CommandField(Translated, FigureField):
         return f"{self.name}: {allowed.minimum:g}–{allowed.maximum:g} {allowed.unit}".rstrip()
 
     def why_wrong(self) -> Refusal | None:
-        """Return why what is in the field may not be sent, or ``None``."""
+        """Return why the content of the field may not be sent, or ``None``."""
         value = self.value
         if value is not None:
             return self.figure.check(self.figure.type(value))

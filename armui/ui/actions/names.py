@@ -30,7 +30,7 @@ class Names:
         self._others: dict[str, set[str]] = {}
         for chinese, english, pinyin in rows:
             self._pinyin[chinese] = tuple(pinyin.split())
-            if english:  # a synonym has no text of its own
+            if english:  # a synonym has only a Chinese name
                 self._others.setdefault(chinese, set()).add(english)
                 self._others.setdefault(english, set()).add(chinese)
 

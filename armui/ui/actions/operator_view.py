@@ -20,9 +20,7 @@ _LEFT: Final = (
     *("gripper.move", "gripper.enable", "gripper.disable", "gripper.clear_error"),
     *("cell.confirm", "cell.hold", "episode.*", "linkage_back_button"),
 )
-"""The operations that it leaves, and the button that makes an arm obey the stop again; all others
-are taken away.
-"""
+"""The only operations left, and the button that makes the arm obey the stop again."""
 _TAKEN: Final = (
     *(
         "window.settings",
@@ -40,9 +38,7 @@ _TAKEN: Final = (
     *(f"{panel}.open" for panel in ("light", "joint_settings", "end_limits")),
     *(f"{panel}.open" for panel in ("collision", "motor", "gripper_settings", "end_load")),
 )
-"""What it takes away of the acts and commands that are no operation on the arm, by their names: not
-the page of the button above.
-"""
+"""The acts and commands without an operation that are disabled; not the page of that button."""
 
 
 def operator_view() -> bool:
@@ -60,7 +56,7 @@ def set_operator_view(*, wanted: bool) -> None:
 
 
 def why_taken(name: str, operation: Operation | None = None) -> str:
-    """Return the sentence that the operator's view has taken something away; "" if not.
+    """Return the sentence that the operator's view does not allow something; "" if it does.
 
     Args:
         name: The name of the command, or of the button of an act without one.

@@ -203,7 +203,7 @@ class CommandPalette(ArmDialog):
             self._timer.start()
 
     def _gather(self) -> None:
-        """Ask anew what can be done; what is chosen stays chosen."""
+        """Update the items and their reasons; the chosen item stays chosen."""
         if not self.isVisible():
             return
         self._items = [(item, self._search_text(item)) for item in self._source.now()]
@@ -218,7 +218,7 @@ class CommandPalette(ArmDialog):
         query = self.search.text()
         before = self._chosen() if keep else None
         told = self._message.isVisible() and before is not None
-        if not keep:  # rows that changed places while one is read would be pressed for each other
+        if not keep:  # else keep the order: a row must not move while the operator reads it
             self._later = {
                 item.command.name: (bool(item.reason), not item.seen) for item, _ in self._items
             }
@@ -241,16 +241,16 @@ class CommandPalette(ArmDialog):
         if chosen is None:
             self._show_reason(None)
         else:
-            # the reason is shown only as long as the command that it belongs to is chosen
+            # a reason stays visible only while the command that it belongs to is chosen
             same = before is not None and chosen.command.name == before.command.name
             self._message.setVisible(told and same)
 
     def _order(self, how: tuple[int, ...], place: int) -> tuple[object, ...]:
-        """Return what an item is sorted by: of those that match alike what can be done is first.
+        """Return the sort key of an item: among equal matches, what can be done now is first.
 
-        What needs a page to be opened comes after what stands there already. Dangerous commands
-        sort last, and before them what moves the arm and was not named: Enter must not choose one
-        while anything else matches.
+        What needs a page to be opened comes after what is visible. Dangerous commands are last, and
+        before them unnamed ones that move the arm: Enter must not choose one while anything else
+        matches.
         """
         command = self._items[place][0].command
         if not self.search.text().strip():
@@ -263,7 +263,7 @@ class CommandPalette(ArmDialog):
         return self._model.item(self.list.currentIndex().row())
 
     def _show_reason(self, item: PaletteItem | None) -> None:
-        """Say why what is wanted cannot be done, or that nothing was found or chosen."""
+        """Show the reason against the chosen item, or that nothing was found or chosen."""
         if item is None and self._model.rowCount():
             text = self.tr("It moves the arm: choose it by the arrow keys, or type its name.")
             self._message.show_message(text)
@@ -294,7 +294,7 @@ class CommandPalette(ArmDialog):
         self._source.carry_out(item, was_seen=was_seen)
 
     def _show_page(self, item: PaletteItem) -> PaletteItem:
-        """Open the page on which something is done; return the item as it stands there."""
+        """Open the page of an item, and return the item in its new state."""
         item = self._source.show(item)
         self._gather()
         if not item.seen and not item.reason:

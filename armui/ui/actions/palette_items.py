@@ -131,7 +131,7 @@ class PaletteItems:
             seen = isinstance(target, QAction) or (target is not None and target.isVisible())
             if seen:
                 reason = _why_off(target) if act is None else act.reason()
-                if isinstance(target, QAction):  # it is never off by itself
+                if isinstance(target, QAction):  # an action is never disabled by itself
                     reason = reason or command.needs(now)
             else:
                 reason = source.why_not() or command.needs(now) or command.refusal(now)
@@ -148,7 +148,7 @@ def nothing_to_do() -> str:
 
 
 def _folded_into(target: Target | None) -> QWidget | None:
-    """Return the button that opens the panel in which a target is; ``None`` if it is in none."""
+    """Return the button with the fold-out panel that contains a target, or ``None``."""
     panel = target.window() if isinstance(target, QWidget) else None
     return panel.parentWidget() if isinstance(panel, QMenu) else None
 

@@ -72,7 +72,7 @@ class ShortcutList(ArmDialog):
         self.retranslate_ui()
 
     def _add(self, grid: QGridLayout, place: str, title: Text) -> None:
-        """Add what counts at a place, below a heading, if anything does."""
+        """Add the shortcuts of a place below a heading; nothing if it has none."""
         shortcuts = [each for each in SHORTCUTS.values() if each.place == place]
         if not shortcuts:
             return

@@ -39,16 +39,16 @@ if TYPE_CHECKING:
 
 _ICON_PX: Final = 14
 _HIGHEST_PX: Final = 20
-"""The largest height of the button: that of the line of text beside it."""
+"""The largest height of the button: that of the text beside it."""
 _IN_THE_RUN_STRIP: Final = frozenset({StepKind.RUN_PAUSED, StepKind.RUN_WAITS})
-"""The steps for which the line above the panels has no button."""
+"""The steps whose button is in the strip of the run, not in the line above the panels."""
 _OPERATOR_VIEW: Final = "window.operator_view"
 _NEXT_STEP: Final = "window.next_step"
 _HELD_IN_THE_LINE: Final = {
     "window.resume": Action.RESUME,
     "window.come_inside": Action.COME_INSIDE,
 }
-"""The commands whose button is that of the next step, while it is theirs."""
+"""The commands that are carried out by the button of the next step, while it is this step."""
 
 
 # fmt: off
@@ -109,9 +109,9 @@ class CommandsButton(Translated, QToolButton):
 
 
 class LanguageButton(Translated, QToolButton):
-    """A button in the status bar with the name of the other language, for who cannot read this one.
+    """A button in the status bar with the name of the other language, in that language.
 
-    It stays there: a control that comes and goes is looked for in vain.
+    It is never hidden, so that somebody who cannot read the present language finds it.
     """
 
     def __init__(self) -> None:
@@ -282,8 +282,7 @@ class WindowActions(QObject):
     def _take_step(self) -> None:
         button = self._step_button()
         if button is not None and button is self._run.go_on_button:
-            # this button sets the arm moving, so the key only leads to it: it needs a press of its
-            # own
+            # this button sets the arm moving: the key only focuses it, and a second press is needed
             lead_to(button)
         elif button is not None:
             use(button)

@@ -168,7 +168,7 @@ class AxisBar(QWidget):
         return self._value
 
     def show_value(self, value: float) -> None:
-        """Show a deflection."""
+        """Show a deflection, −1 to 1."""
         value = max(-1.0, min(1.0, value))
         if value != self._value:
             self._value = value
@@ -439,7 +439,7 @@ class GamepadDialog(ArmDialog):
     def _on_mode(self, number: int) -> None:
         mode = tuple(JogMode)[number]
         problem = words.why_not(self._store.change(gamepad_mode=_MODES[mode]))
-        self._pilot.set_mode(mode)  # a button of the device may have chosen another meanwhile
+        self._pilot.set_mode(mode)  # a button of the device may have changed it
         self._take(problem)
 
     def _on_device(self, place: int) -> None:

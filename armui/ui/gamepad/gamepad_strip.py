@@ -36,9 +36,7 @@ _SIDE_PX: Final = 26
 _GROUND_SIDE_PX: Final = 16
 _PADDING_PX: Final = 6
 _A_DAY_S: Final = 86_400.0
-"""A limit that never applies: the device's own movements are watched elsewhere, and those of the
-mouse do not count here.
-"""
+"""A limit that never applies: the device is watched elsewhere, and the mouse is not used."""
 
 _WAITS, _HELD, _MOVES, _WRONG = "waits", "held", "moves", "wrong"
 
@@ -71,7 +69,7 @@ class GamepadStrip(Translated, QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.hide()
         unsubscribe = store.subscribe(self._choose)
-        self.destroyed.connect(lambda: unsubscribe())  # noqa: PLW0108 - it comes with an argument
+        self.destroyed.connect(lambda: unsubscribe())  # noqa: PLW0108 - the signal has an argument
         if store.settings.gamepad:
             QTimer.singleShot(0, self, partial(self._choose, store.settings))
 
@@ -81,7 +79,7 @@ class GamepadStrip(Translated, QWidget):
         return self._text.text()
 
     def _choose(self, settings: Settings) -> None:
-        """Switch the gamepads on or off; nothing of theirs is loaded before they are."""
+        """Switch the gamepads on or off; their code is not loaded before they are first used."""
         if self._view is None:
             if not settings.gamepad:
                 return

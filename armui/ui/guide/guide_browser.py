@@ -43,7 +43,7 @@ class GuideBrowser(QTextBrowser):
         self._fitted: dict[str, QImage] = {}
         self._job: Job[dict[str, bytes]] | None = None
         self.setOpenLinks(False)
-        # Tab leaves the text instead of visiting its links: the contents lead to the same places
+        # Tab leaves the text and skips its links: the list of contents leads to the same sections
         flags = self.textInteractionFlags()
         self.setTextInteractionFlags(flags & ~Qt.TextInteractionFlag.LinksAccessibleByKeyboard)
         self.anchorClicked.connect(self._on_link)

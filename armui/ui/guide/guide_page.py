@@ -124,7 +124,7 @@ class GuidePage(Page):
 
     def _show_contents(self) -> None:
         found: Sequence[GuideSection] = search(self._sections, self.search.text())
-        blocked = self.contents.blockSignals(True)
+        blocked = self.contents.blockSignals(True)  # filling the list chooses no section
         self.contents.clear()
         for section in found:
             item = QListWidgetItem(_INDENT * max(0, section.level - 2) + section.title)

@@ -69,7 +69,7 @@ def section_of(pages: Iterable[QWidget | None], panel: str) -> str:
     while each is not None:
         name = type(each).__name__
         if name == _GUIDE:
-            break  # a reader of the guide wants help with what stands beside it
+            break  # somebody who reads the guide wants help with the page beside it
         section = _WINDOWS.get(name) or _REGIONS.get(name)
         if section is not None:
             return section

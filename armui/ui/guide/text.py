@@ -16,9 +16,7 @@ _ANCHOR: Final = re.compile(r'^<a id="([a-z_]+)"></a>$', re.MULTILINE)
 _HEADING: Final = re.compile(r"^(#+) (.+)$", re.MULTILINE)
 _PICTURE: Final = re.compile(r"!\[[^\]]*\]\(([^)]+)\)")
 _NUMBERS: Final = re.compile(r"^<!-- ([MPB0-9 ]+) -->\n+", re.MULTILINE)
-"""A comment with numbers of functions of the manual (M), of the protocol (P) and of this program
-(B).
-"""
+"""A comment with numbers of functions: in the manual (M), the protocol (P), this program (B)."""
 _MARKUP: Final = re.compile(r"[*`_|#>\[\]()!-]")
 
 

@@ -1,1 +1,1 @@
-"""What the operator sees of the local interface, and what he grants."""
+"""The windows and marks of the local interface, and the operator's grants."""

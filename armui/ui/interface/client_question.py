@@ -1,4 +1,4 @@
-"""What a client asks the operator for: the arm, or his consent to one operation (S29)."""
+"""The questions of clients to the operator: for the arm, and for consent to one operation (S29)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _MOST_FOUND: Final = 6
 _OF_ALL_JOINTS: Final = frozenset(
     {"motors.enable", "motors.disable", "joints.set_zero", "joints.clear_error"}
 )
-"""The operations that are about all joints where no other is named."""
+"""The operations that concern all joints if the client names none."""
 _ALL: Final = ("joint", ALL_JOINTS)
 _DROPS: Final = Text("MotorPanel", "The arm will drop when it loses its power. Hold the arm.")
 _DANGERS: Final = {
@@ -57,27 +57,28 @@ _DANGERS: Final = {
         "arm standing still. The arm keeps it; there is no way back but to set it again.",
     ),
 }
-"""What the operator is told before he does the same himself."""
+"""The warnings that the operator reads before his own press."""
 
 
 def breakable(text: str) -> str:
-    """Return a foreign text that no word of it makes a window wider than its room."""
+    """Return a client's text with break points in long words, which would widen the window."""
     return _LONG_WORD.sub(rf"\1{_BREAK}", text)
 
 
 class ClientQuestion(ConfirmDialog):
-    """A question of a client's, open until it is answered, or over; closing it refuses.
+    """A question by a client, open until it is answered or withdrawn; closing it refuses.
 
-    It comes by itself: it takes no keyboard from what the operator is at, and opens over the panel.
+    It opens without a press by the operator, so it does not take the keyboard, and covers the panel
+    only.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop.
         parent: The main window.
-        client: Who asks.
-        since_s: The monotonic time since when it is asked.
-        asked: Returns whether it is still asked.
-        still: Returns whether what it is about is unchanged.
+        client: The client that asks.
+        since_s: The monotonic time of the question.
+        asked: Returns whether the question is still open.
+        still: Returns whether its subject is unchanged.
     """
 
     _built = False
@@ -113,11 +114,11 @@ class ClientQuestion(ConfirmDialog):
 
     @property
     def asked(self) -> bool:
-        """Whether it is still asked."""
+        """True while the client still asks."""
         return self._asked()
 
     def open(self) -> None:
-        """Show it over the panel; what the operator is at keeps the keyboard."""
+        """Show it over the panel without taking the keyboard focus."""
         place(self)
         self.show()
         self.raise_()
@@ -150,7 +151,7 @@ class ClientQuestion(ConfirmDialog):
         raise NotImplementedError
 
     def retranslate_ui(self) -> None:
-        """Set all texts in the operator's language; the client's own are shown as they are."""
+        """Set all texts in the operator's language; the client's own texts are not translated."""
         super().retranslate_ui()
         if not self._built:
             return
@@ -166,10 +167,10 @@ class GrantDialog(ClientQuestion):
     """Asks whether a client may have the arm, how fast, and for how long.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop; gives the operator's speed.
         parent: The main window.
-        ask: What is asked for.
+        ask: The request.
     """
 
     def __init__(
@@ -198,7 +199,7 @@ class GrantDialog(ClientQuestion):
         grid.addLayout(in_row(self.limit, STRETCH), 0, 1)
         grid.addLayout(in_row(self.once, self.lasting, STRETCH, spacing=8), 1, 0, 1, 2)
         for each in (self._limit_label, self.limit, self.once, self.lasting):
-            each.setVisible(ask.moves)  # what moves nothing is granted once, at no speed
+            each.setVisible(ask.moves)  # without motion there is no speed to choose
         fill(self.body, grid, self._seconds)
         self._built = True
         self.retranslate_ui()
@@ -239,13 +240,13 @@ class GrantDialog(ClientQuestion):
 
 
 class ConsentDialog(ClientQuestion):
-    """Asks whether the client with the arm may do what is dangerous, once.
+    """Asks whether the client with the arm may do something dangerous, once.
 
     Args:
-        interface: Is answered.
+        interface: The interface that gets the answer.
         controller: Receives the emergency stop; gives the arm's state.
         parent: The main window.
-        consent: What is asked for.
+        consent: The call that needs consent.
     """
 
     def __init__(
@@ -278,7 +279,7 @@ class ConsentDialog(ClientQuestion):
         return title, "\n".join(filter(None, said)), self.tr("Allow once")
 
     def _findings(self) -> Iterator[str]:
-        """Yield what the check before a run has found, as the operator reads it at his own."""
+        """Yield the findings of the check before a run, as sentences."""
         from armui.ui.words.findings import finding_line  # noqa: PLC0415 - scipy
 
         findings = self._consent.findings
@@ -287,7 +288,7 @@ class ConsentDialog(ClientQuestion):
             yield self.tr("{count} more").format(count=len(findings) - _MOST_FOUND)
 
     def _figures(self) -> str:
-        """Return what the operation is called with, as the operator reads it."""
+        """Return the arguments of the operation as text."""
         whole = dict((_ALL,)) if self._consent.operation in _OF_ALL_JOINTS else {}
         joints = f"{JOINTS[0]}–{JOINTS[-1]}"
         return " · ".join(
@@ -309,13 +310,13 @@ class ConsentDialog(ClientQuestion):
 
 
 def _joint_of(consent: Consented) -> int:
-    """Return the joint that it is about; what is no joint is refused by the operation."""
+    """Return the joint in the arguments; an invalid one is refused by the operation."""
     joint = consent.arguments.get("joint")
     return joint if isinstance(joint, int) and joint in JOINTS else ALL_JOINTS
 
 
 def _unchanged(controller: ArmController, consent: Consented) -> Callable[[], bool]:
-    """Return what tells whether the arm still stands where a zero is to be set."""
+    """Return a function that tells whether the arm still stands where a zero is to be set."""
     state = controller.state
     if consent.operation == "gripper.set_zero":
         return lambda: controller.gripper.stands_as(state)
@@ -325,10 +326,10 @@ def _unchanged(controller: ArmController, consent: Consented) -> Callable[[], bo
 
 
 class ClientQuestions:
-    """Opens each question of a client's as it comes, and closes it as it is over.
+    """Opens a question of a client when it arises, and closes it when it is withdrawn.
 
     Args:
-        interface: Tells what is asked.
+        interface: The interface with the questions.
         controller: Receives the emergency stops.
         window: The main window.
     """

@@ -1,4 +1,4 @@
-"""The window 本地接口: on or off, where it is, who is connected, what was granted."""
+"""The window 本地接口: its switch, its address, the connected clients and what was granted."""
 
 from __future__ import annotations
 

@@ -34,11 +34,11 @@ _PADDING_PX: Final = 3
 _GROUND_PX: Final = 8
 _TICK_MS: Final = 500
 _STREAMS: Final = frozenset({"jog.begin", "stream.target"})
-"""The operations by which a stream of targets is followed."""
+"""The operations that follow a stream of targets."""
 
 
 class LeaseBar(HasActs, Translated, QWidget):
-    """One line under the top bar, as long as the interface is on: no lease shifts what is below.
+    """One line under the top bar, shown while the interface is on: a lease moves no widget.
 
     Args:
         interface: Tells who has the arm, and takes it back.

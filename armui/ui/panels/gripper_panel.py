@@ -39,7 +39,7 @@ _Kind = tuple[Generation, bool]
 """The generation, and whether angles are commanded in the second one."""
 _WIDEST: Final = "-000.000 rad/s"
 _LABEL_PX: Final = 58
-"""The width of the labels of all rows."""
+"""The width of the labels at the left of the rows."""
 _POWER: Final[Mapping[str, Callable[..., object]]] = {
     "enable": GripperControl.enable,
     "disable": GripperControl.disable,
@@ -84,7 +84,7 @@ class MeasureChoice(QWidget):
 
     @property
     def buttons(self) -> list[QAbstractButton]:
-        """The two buttons."""
+        """The buttons for an opening and an angle, in this order."""
         return self._group.buttons()
 
     def show_choice(self, *, by_angle: bool, why_not: str) -> None:
@@ -193,14 +193,14 @@ class GripperRow(QWidget):
             self.retranslate_ui()
 
     def follow(self, value: float | None) -> None:
-        """Show where the gripper is or is sent, unless the operator has set a figure."""
+        """Show the gripper's present place or last target, unless the operator has set a figure."""
         if not self.own and value != self.field.value:
             self.field.follow(value)
             self._own_before = False
             self._after_change()
 
     def take_back(self) -> None:
-        """Let the figure be the operator's own no longer: it was sent, or the arm is another."""
+        """Let the figure follow the gripper again: it was sent, or the arm is another one."""
         self.own = self._own_before = False
         self._after_change()
 
@@ -364,8 +364,7 @@ class GripperPanel(Panel):
     def _lay_out(self) -> None:
         state = in_row(self._mark, self._power, STRETCH)
         card = QFrame()
-        # errors come and go by themselves: at the bottom they move nothing that may be pressed just
-        # then
+        # errors may appear at any time: at the bottom they do not move any button
         notes = (self._calibrated, self._stroke_note, self._faults, STRETCH)
         parts = (state, self._measure, self._rows, *notes)
         in_column(*parts, on=card, spacing=10, margins=(16, 12, 16, 12))
@@ -378,7 +377,7 @@ class GripperPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def _on_measure(self, by_angle: bool) -> None:
-        """Take the next target as an angle or as an opening; nothing is sent by this choice."""
+        """Enter the next target as an angle or as an opening; this choice sends nothing."""
         self._controller.gripper.by_angle = by_angle
         self._refusal = self._event = None
         self._describe()
@@ -406,14 +405,14 @@ class GripperPanel(Panel):
 
     @send.lit
     def _is_new(self) -> bool:
-        """Return true while a figure was set that was not sent yet, and may be."""
+        """Return true while a figure was set that is not sent yet, and is within the ranges."""
         travel = self._travel
         here = self._controller.gripper.heading(travel.figure.unit)
         new = self._effort.own or (travel.own and travel.field.value != here)
         return new and self._first_wrong() is None
 
     def _first_wrong(self) -> Refusal | None:
-        """Return what is against the figures; a travel that follows may be beyond as it is."""
+        """Return the reason against the figures; a travel that follows the arm is not checked."""
         return (self._travel.refusal() if self._travel.own else None) or self._effort.refusal()
 
     def _on_stepped(self, sign: int) -> None:

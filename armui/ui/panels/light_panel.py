@@ -177,7 +177,7 @@ class ColorDialog(ArmDialog):
         for option in _PICKER:
             self._picker.setOption(option)
         self._picker.currentColorChanged.connect(self.picked)
-        self._picker.finished.connect(self.close)  # Escape in it
+        self._picker.finished.connect(self.close)  # Escape in the picker closes the dialog, too
         self.body.addWidget(self._picker)
         fill(self.footer, STRETCH, CloseButton(self))
         self.retranslate_ui()
@@ -325,14 +325,14 @@ class LightPanel(Panel):
     # -- actions ------------------------------------------------------------------------------
 
     def focus_joint(self, joint: int) -> None:
-        """Choose a joint."""
+        """Choose the joint whose lamp is set, and focus its button."""
         button = self._joints.button(joint)
         button.setChecked(True)
         button.setFocus(Qt.FocusReason.OtherFocusReason)
         self._on_edited()
 
     def _figures(self) -> list[CommandField]:
-        """Return the fields that count now."""
+        """Return the fields whose figures would be sent."""
         lamp = () if self._all_lamps.isChecked() else (self.lamp,)
         return [*lamp, *(row.field for row in self._rows)]
 
@@ -352,7 +352,7 @@ class LightPanel(Panel):
                 self.show_acts()
 
     def _entered(self) -> tuple[object, ...]:
-        """Return all that is to be sent, as it is entered."""
+        """Return everything that would be sent, as entered."""
         texts = ((field.figure.name, field.text()) for field in self._figures())
         return self._joints.checkedId(), *texts
 
@@ -390,7 +390,7 @@ class LightPanel(Panel):
 
     @confirm.lit
     def _is_new(self) -> bool:
-        """Return true while what is entered was not sent yet, and is within the ranges."""
+        """Return true while the entries are not sent yet, and are within the ranges."""
         return self._entered() != self._sent and self._first_wrong() is None
 
     def _show_message(self) -> None:

@@ -135,7 +135,7 @@ class LinkagePanel(Panel):
         )
 
     def _chosen(self) -> tuple[LinkageRole, dict[str, int]]:
-        """Return the role and the offsets."""
+        """Return the chosen role, and the chosen offsets by their names."""
         offsets = {name: int(box.currentData()) for name, box in self._boxes.items()}
         return LinkageRole(self._roles.checkedId()), offsets
 
@@ -178,9 +178,9 @@ class LinkagePanel(Panel):
 
     @confirm.lit
     def _is_new(self) -> bool:
-        """Return true while what is chosen is not what is in use.
+        """Return true while the choice differs from what is in use.
 
-        What a teaching input uses is not heard; the way back from it stands above.
+        A teaching input does not report its offsets; the button that ends this role is above.
         """
         teaching, addressing = (
             self._operating_state.teaching_input,

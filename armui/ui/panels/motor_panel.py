@@ -32,7 +32,7 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Texts
 
 _INSET_PX: Final = (12, 0, 12, 0)
-"""Around the buttons for all joints, so that they stand in the columns of the card."""
+"""The margins of the buttons for all joints, which align them with the columns of the card."""
 
 
 class MotorAct(enum.Enum):

@@ -37,13 +37,11 @@ _LEVELS: Final = {
 _FIXED: Final = (QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
 _GAP_PX: Final = 10
 _BELOW_PX: Final = 7
-"""Below the message, which has some room of its own."""
+"""The gap below the message, which has a margin of its own."""
 _HEAD_PX: Final = 36
-"""The height of a head with or without buttons, so that the content keeps its place."""
+"""The height of the head, with or without buttons: all contents begin at the same place."""
 _SAID_ONLY_HERE: Final = UNHINDERED | {StepKind.STATUS_UNKNOWN}
-"""The steps whose line does not give the reason: nothing is wrong, or the panel names what is
-silent.
-"""
+"""The steps whose line gives no reason: nothing is wrong, or the panel names what is missing."""
 
 
 def level_of(refusal: Refusal) -> Level:
@@ -82,20 +80,20 @@ class Panel(HasActs, Translated, QWidget):
         raise NotImplementedError
 
     def _show_all(self) -> None:
-        """Show everything as it is now."""
+        """Update everything that is shown."""
         raise NotImplementedError
 
     def _show_message(self) -> None:
-        """Say the one thing that matters most now."""
+        """Show the most important message now."""
         raise NotImplementedError
 
     def _show_state(self, state: ArmState) -> None:
-        """Show what the arm says."""
+        """Update what depends on the arm's state."""
 
     def _forget_outdated(self, old: OperatingState) -> None:
-        """Drop what was said, if the operating state that is left explains it no more."""
+        """Drop the message if the operating state that explained it is over."""
 
-    # -- what it finds here -------------------------------------------------------------------
+    # -- what a panel can use -----------------------------------------------------------------
 
     def heading(self) -> str:
         """Return its title, to which its acts belong."""
@@ -105,7 +103,7 @@ class Panel(HasActs, Translated, QWidget):
         """Follow the controller.
 
         Args:
-            told_here: How the codes of the events begin that the panel tells.
+            told_here: The prefixes of the codes of events that the panel shows.
         """
         self._told_here = told_here
         self._controller.state_changed.connect(self._on_state_changed)
@@ -118,10 +116,10 @@ class Panel(HasActs, Translated, QWidget):
             self._show_message()
 
     def _unless_told(self, reason: Refusal | None) -> Refusal | None:
-        """Return a standing reason, unless the line of the next step says it already."""
+        """Return a lasting reason, unless the line of the next step shows it already."""
         now = self._operating_state
         if reason not in (now.unreachable, now.cannot_enable, now.cannot_move):
-            return reason  # of this panel alone: no step leads out of it
+            return reason  # a reason of this panel alone, for which there is no step
         if now.link is LinkState.NO_DEVICE:
             return None
         told = self._controller.recovery.step.kind not in _SAID_ONLY_HERE
@@ -151,7 +149,7 @@ class Panel(HasActs, Translated, QWidget):
 
         Args:
             parts: From top to bottom.
-            head: Holds the title and what stands beside it; the title alone where there is none.
+            head: The row with the title and further widgets; by default the title alone.
             gap_px: Between the parts.
         """
         self._gap_px = gap_px
@@ -169,10 +167,10 @@ class Panel(HasActs, Translated, QWidget):
         layout.addStretch(0 if self._area else 1)
 
     def _share_room(self) -> None:
-        """Keep no room for a message where the card would scroll for it.
+        """Keep no room for a message if the card would have to scroll for that.
 
-        There it comes right below the card, of which it takes the lower end: the buttons must not
-        move when something is said. Room that is too low for a message stays there, too.
+        The message then takes the lower end of the card, and room that is too low for a message
+        stays below the card: the buttons must not move when a message comes.
         """
         area, message, layout = self._area, self._message, self.layout()
         card = None if area is None else area.widget()
@@ -223,7 +221,7 @@ class Panel(HasActs, Translated, QWidget):
         still: Callable[[], bool] = lambda: True,
         sinks: bool = False,
     ) -> None:
-        """Ask before what a double click must not do: the answer is a button that is held.
+        """Ask for a confirmation by a held button, which a double click does not press by mistake.
 
         Args:
             title: The question in a few words.
@@ -231,7 +229,7 @@ class Panel(HasActs, Translated, QWidget):
             label: The word on the button.
             act: The command; its refusal is shown.
             still: Returns true while the question still holds.
-            sinks: The arm sinks by it.
+            sinks: True if the command lets the arm sink.
         """
         confirm(
             self.window(),
@@ -251,15 +249,15 @@ class Panel(HasActs, Translated, QWidget):
         self._show_all()
 
     def event(self, event: QEvent) -> bool:
-        """Share the room anew when there is more or less of it, or a part needs more or less."""
+        """Divide the room again when its size or that of a part has changed."""
         room = event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}
-        done = super().event(event)  # which may delete it
+        done = super().event(event)  # Qt may delete the event in this call
         if room:
             self._share_room()
         return done
 
 
 def _least_height(card: QWidget, width_px: int) -> int:
-    """Return how high a card must be to be seen whole, in pixels."""
+    """Return the height in pixels at which a card need not scroll."""
     least = card.minimumSizeHint().height()
     return max(least, card.heightForWidth(width_px)) if card.hasHeightForWidth() else least

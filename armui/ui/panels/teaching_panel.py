@@ -73,7 +73,7 @@ arm's feedback leads from one to the next.
 _STOPPED: Final = frozenset({StepKind.STOP_REQUESTED, StepKind.STOPPED, StepKind.STOPPED_INPUT})
 _OVER: Final = UNHINDERED | {
     *(StepKind.NO_DEVICE, StepKind.OPENING, StepKind.NO_MOTION),
-    StepKind.OUTSIDE,  # its motors are on: what is left to do is no step out of drag teaching
+    StepKind.OUTSIDE,  # its motors are on: the way back is no part of drag teaching
 }
 _PHASES: Final = Texts("TeachingPhase") | {
     TeachingPhase.OFF: "Not in drag teaching",
@@ -146,7 +146,7 @@ class TeachingExitSteps(QFrame):
             label.setFont(font)
             sign = "✓" if number < self._due else "▸" if number == self._due else ""
             if number < min(self._due, 3) and not self._led:
-                sign = "–"  # released near its rest, where a stop came first
+                sign = "–"  # skipped: a stop came before the arm was led back
             self._signs[number - 1].setText(sign)
             label.setText(f"{number}. {self._words()[number - 1]}")
 
@@ -180,7 +180,7 @@ class TeachingPanel(Panel):
                 key=f"teaching.{command.name.lower()}",
                 title=TEACHING_COMMANDS.entry(command),
                 leads=command in _MOVES,
-                held=command is TeachingState.CONTINUE,  # a slip must not set a held motion going
+                held=command is TeachingState.CONTINUE,  # a slip must not resume a motion
                 least_height_px=_BUTTON_PX,
             )
             for command in chain(*_COMMANDS)
@@ -215,7 +215,7 @@ class TeachingPanel(Panel):
         self._assistance: DragAssistanceDialog | None = None
         self._unanswered: Event | None = None
         self._withdrawn: Refusal | None = None
-        """Why a question was withdrawn; told until the next press."""
+        """Why a question was withdrawn; shown until the next press."""
         self._shown: tuple[object, ...] | None = None
         self._state_label = QLabel()
         self._state = text_label("teaching_state", wraps=True)
@@ -287,7 +287,7 @@ class TeachingPanel(Panel):
         )
 
     def _still_asked(self, command: TeachingState) -> bool:
-        """Return whether a question holds: late feedback, which may come yet, does not end it."""
+        """Return whether a question is still valid; late feedback does not withdraw it."""
         reason = why_not_teach(self._controller.operating_state, command)
         return reason is None or reason.reason in PASSING
 
@@ -296,7 +296,7 @@ class TeachingPanel(Panel):
         self._show_all()
 
     def _danger(self, command: TeachingState) -> str:
-        """Return the warning to be agreed to before a command that has the arm move by itself."""
+        """Return the warning before a command after which the arm moves by itself."""
         if command is TeachingState.MOVE_TO_START:
             does = self.tr("The arm will move by itself to the start of the recording it holds.")
         else:
@@ -341,7 +341,7 @@ class TeachingPanel(Panel):
             self._show_all()
 
     def _show_new(self) -> None:
-        """Say what has changed; feedback comes thirty times a second and mostly says the same."""
+        """Update after a change only: feedback comes thirty times a second."""
         if not self.isVisible():
             return
         shown = self._facts()
@@ -362,7 +362,7 @@ class TeachingPanel(Panel):
         )
 
     def _phase_now(self) -> TeachingPhase | None:
-        """Return what drag teaching does, or ``None``: nobody knows."""
+        """Return the phase of drag teaching, or ``None`` if it is not known."""
         state = self._controller.state
         if state.status is None or is_stale(state.status, state, self._operating_state):
             return None

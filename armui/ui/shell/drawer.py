@@ -43,7 +43,7 @@ class Drawer(Translated, QWidget):
     def __init__(self, pages: Mapping[str, PageEntry[Any]]) -> None:
         super().__init__()
         self.setObjectName("drawer")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self.setMinimumHeight(_LEAST_PX)
         self._pages = pages
         self._group = QButtonGroup(self)
@@ -98,7 +98,7 @@ class Drawer(Translated, QWidget):
             self.turned.emit(False)
 
     def _on_tab(self, key: str) -> None:
-        """Request a page, which may be in a window: the tab of the one seen here stays down."""
+        """Request a page, which may open in a window: the tab of the page here stays pressed."""
         self.page_wanted.emit(key)
         if self.current is not None:
             self._tabs[self.current.key].setChecked(True)

@@ -26,7 +26,8 @@ _AFTER_MS: Final = 1000
 class LayoutKeeper(QObject):
     """Reads the arrangement once, and writes it a moment after a change.
 
-    A file that cannot be written is not worth a message: the window is then as it was at first.
+    If the file cannot be written, no message is shown: the next start only has the default
+    arrangement.
 
     Args:
         settings: The file of the operator's settings.
@@ -89,7 +90,7 @@ class LayoutKeeper(QObject):
 
     def _note_columns(self, name: str, header: QHeaderView) -> None:
         if not isValid(header):
-            return  # the header emits while it is being deleted
+            return  # the header emits signals even while it is deleted
         kept = self.layout.columns.get(name)
         known = () if kept is None else kept.widths_px
         shown = header.isSortIndicatorShown()

@@ -70,6 +70,7 @@ def leave_then(
             panel.discard_changes()
         proceed()
 
+    # a new question replaces one that is still open for another way out
     for older in parent.findChildren(UnsavedQuestion):
         older.reject()
     question = UnsavedQuestion(controller, parent, left)
@@ -116,7 +117,7 @@ class UnsavedQuestion(SaveQuestion):
         self._follow()
 
     def holds(self) -> bool:
-        """Return true also while no arm is heard: saving is disabled then, with the reason."""
+        """Return true also while the arm is silent: saving is then disabled, with the reason."""
         return not self._controller.mark.heard or super().holds()
 
     def _follow(self) -> None:
@@ -216,7 +217,7 @@ def end_single_motion_then(
 
 
 class _Ending(QObject):
-    """Waits until the arm has come to rest, and then goes on, unless the operator stops it."""
+    """Waits for the arm's rest and then calls `proceed`, unless the operator stops the arm."""
 
     def __init__(
         self,
@@ -235,7 +236,7 @@ class _Ending(QObject):
         self._limit.timeout.connect(self._on_late)
 
     def begin(self) -> None:
-        """End the motion, and go on as soon as it has ended, unless by an emergency stop."""
+        """End the motion, and call `proceed` once it has ended, unless by an emergency stop."""
         self._controller.end_motion(single=self._single)
         self._controller.operating_state_changed.connect(self._look)
         if self._single:
@@ -313,13 +314,13 @@ def _moves(operating_state: OperatingState) -> bool:
 
 
 def gives_way(operating_state: OperatingState) -> bool:
-    """Return whether the arm is measured to move though nothing told it to, or nothing holds it."""
+    """Return whether the arm is measured to move without a command, or without power to hold it."""
     uncommanded = operating_state.uncommanded
     return uncommanded is not None and uncommanded.kind in {MotionKind.SINKS, MotionKind.MOVES}
 
 
 def is_taught(controller: ArmController) -> bool:
-    """Return whether the arm records a hand, or runs its recording."""
+    """Return whether the arm records a motion by hand, or replays its recording."""
     now = controller.operating_state
     if now.status is None or now.unreachable is not None or now.stop is not StopState.RUNNING:
         return False

@@ -50,7 +50,7 @@ class PanelEntry:
         kind: The class, which declares its commands.
         make: Creates it.
         synonyms: Other names of it, for the command palette.
-        group: The heading of the menu under which it stands.
+        group: The heading of the menu above it.
     """
 
     key: str

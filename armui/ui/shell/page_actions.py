@@ -77,7 +77,7 @@ class PageActions(QObject):
         """Return the commands of each page and each window."""
         own = (
             CommandSource(
-                page.kind().commands,  # imports the page, unless that was done in idle time
+                page.kind().commands,  # imports the page's module, if idle time has not done so
                 partial(self._pages.existing, key),
                 partial(self._pages.show, key),
                 why_not=partial(self._why_not, key),
@@ -87,14 +87,14 @@ class PageActions(QObject):
         return [*own, source_of(self)]
 
     def reopen(self) -> None:
-        """Open what was open when the program ended: windows, the drawer; one in each turn.
+        """Open what was open when the program ended, one page in each turn of the event loop.
 
         The main window is visible and its modules are loaded by then, so that the start is not
         delayed.
         """
         left = self._workspace.next_left_open()
         if left is None:
-            self._workspace.note_windows()  # windows that did not open again are forgotten
+            self._workspace.note_windows()  # forget windows that could not be opened again
             self._window.activateWindow()
             self.startup_done = True
             return
@@ -103,7 +103,7 @@ class PageActions(QObject):
         elif left.key in _MOVABLE:
             focus = self._window.focusWidget() or self._window
             self._pages.show(left.key)
-            focus.setFocus()  # the operator did not ask for the page just now
+            focus.setFocus()  # give it back: the operator did not ask for the page
         QTimer.singleShot(0, self, self.reopen)
 
     def _why_not(self, place: str) -> str:

@@ -91,7 +91,7 @@ class PageBar(Translated, QWidget):
 
 
 class _Crumb(QToolButton):
-    """Leads to a page and is called as that page is, which may stand elsewhere.
+    """A button that leads to a page and shows its title, wherever the page is.
 
     Args:
         page: The page.
@@ -131,7 +131,7 @@ class PageArea(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("page_area")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self.setMinimumWidth(_LEAST_PX)
         self._open: list[Page] = []
         self._bar = PageBar()

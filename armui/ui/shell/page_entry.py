@@ -29,7 +29,7 @@ class Home(enum.Enum):
 
 @dataclass(frozen=True)
 class PageEntry(Generic[_Opener]):
-    """A page or window; what opens it is given to its functions.
+    """The declaration of a page or window; its functions are called with the opener.
 
     Attributes:
         title: Its title, also of its tab and its button.

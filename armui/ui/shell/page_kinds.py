@@ -156,7 +156,7 @@ def about_arm_dialog() -> type[AboutArmDialog]:
 
 
 def reference_dialog() -> type[ReferenceDialog]:
-    """Return the class of the check of whether the joints stand where they report."""
+    """Return the class of the reference check, which compares joints with their reported angles."""
     from armui.ui.dialogs.reference_check import ReferenceDialog  # noqa: PLC0415 - cantools
 
     return ReferenceDialog

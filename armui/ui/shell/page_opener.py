@@ -66,7 +66,7 @@ class PageOpener(QObject):
         interface: The local interface.
 
     Attributes:
-        online: The time since when the arm is heard.
+        online: The time since the arm came online.
         trajectories: Creates the library and its pages.
     """
 
@@ -106,7 +106,7 @@ class PageOpener(QObject):
         self._bar: StatusBar | None = None
 
     def waiting(self) -> Background:
-        """Return what runs work that waits for the operating system, for one window."""
+        """Return a new runner of work that waits for the operating system, for one window."""
         return Background(self._files, parent=self.window)
 
     # By their keys -----------------------------------------------------------------------------
@@ -169,7 +169,7 @@ class PageOpener(QObject):
             page.show_entry(number)
 
     def open_guide(self, section: str = "") -> None:
-        """Show the page 使用帮助; the window it was asked for in does not cover it.
+        """Show the page 使用帮助, not covered by the window in which help was requested.
 
         Args:
             section: The section to show; by default the guide is as it was left.

@@ -48,7 +48,7 @@ _OF_A_RUN: Final = frozenset(
         StepKind.READY,
     }
 )
-"""Steps that say no more than the strip of a run does."""
+"""The steps that need not be shown beside a run, because its strip says the same."""
 
 
 class StepButton(QPushButton):
@@ -126,7 +126,7 @@ class RecoveryLine(Translated, QWidget):
         return next(shown, None)
 
     def stand_back_for(self, area: QWidget) -> None:
-        """Leave the highlight to a button that is highlighted in an area of the window."""
+        """Highlight no step while a button in an area of the window is highlighted."""
         self._area = area
         self._controller.state_changed.connect(self._highlight)
 
@@ -141,7 +141,7 @@ class RecoveryLine(Translated, QWidget):
 
     @property
     def says_more_than_a_run(self) -> bool:
-        """True if the step has to be seen beside the strip of a run."""
+        """True if the step must be shown beside the strip of a run."""
         return self._asks or self._warns or self._step.kind not in _OF_A_RUN
 
     @property
@@ -150,12 +150,12 @@ class RecoveryLine(Translated, QWidget):
 
     @property
     def _warns(self) -> bool:
-        """True if the arm moves by itself, or may."""
+        """True if the arm moves, or may move, without a command."""
         return self._step.motion is not None and self._step.motion.is_danger
 
     @property
     def _asks(self) -> bool:
-        """True if a question about a run is the next step: nothing else stands in the way."""
+        """True if a question about a run is the only thing to do."""
         return bool(self._asking) and self._step.kind is StepKind.READY and not self._warns
 
     @property
@@ -165,7 +165,7 @@ class RecoveryLine(Translated, QWidget):
     # -- behaviour ----------------------------------------------------------------------------
 
     def _on_pressed(self) -> None:
-        """Remember the step that is shown as the button goes down: it is what is agreed to."""
+        """Remember the step shown at the press: a step that follows must not be carried out."""
         self._pressed = self._step
         self._pressed_for = self._controller.mark
 
@@ -205,7 +205,7 @@ class RecoveryLine(Translated, QWidget):
 
     def _on_operating_state_changed(self, now: OperatingState) -> None:
         if self._step is NO_DEVICE and now.link is LinkState.OPENING:
-            self._on_step_changed(OPENING)  # the device is only expected
+            self._on_step_changed(OPENING)  # `expect_device` has only changed the link
         elif self._button.isVisible() or self._hold_button.isVisible():
             self._show_button()
 
@@ -230,9 +230,9 @@ class RecoveryLine(Translated, QWidget):
         self.step_shown.emit()
 
     def _below(self, text: str) -> str:
-        """Return what an arm that is released drops on, as a sentence of its own (S32).
+        """Return a sentence with what a released arm would drop on (S32).
 
-        "" where the text has the whole of what the arm does, which tells it too.
+        Empty if the text describes the arm's motion already, which includes this.
         """
         motion = self._step.motion
         told = motion is not None and motion.below and words.uncommanded_motion(motion) in text
@@ -243,7 +243,7 @@ class RecoveryLine(Translated, QWidget):
         return f" {sentence}" if names else ""
 
     def _fit_text(self) -> None:
-        """Show as much of the text as there is room for, where a shorter one says enough."""
+        """Show the longest version of the text that fits; the tooltip has the full one."""
         room = self._text.contentsRect()
         flags = Qt.TextFlag.TextWordWrap | self._text.alignment()
         unlimited = QRect(0, 0, max(room.width(), 1), 1 << 16)
@@ -269,7 +269,7 @@ class RecoveryLine(Translated, QWidget):
         blocked = None if free else self._controller.recovery.why_not(step)
         button = self._hold_button if step.held else self._button
         policy = self._button.sizePolicy()
-        policy.setRetainSizeWhenHidden(not step.held)  # a hidden button keeps its room
+        policy.setRetainSizeWhenHidden(not step.held)  # a hidden button keeps its width
         self._button.setSizePolicy(policy)
         self._button.setVisible(action is not None and not step.held)
         self._hold_button.setVisible(action is not None and step.held)
@@ -293,7 +293,7 @@ class RecoveryLine(Translated, QWidget):
             self._other_button.setAccessibleName(label)
 
     def _highlight(self, *_: object) -> None:
-        """Highlight what is recommended: one button of the window at most."""
+        """Highlight the step's button if it is recommended and no other button is highlighted."""
         step = self._step
         one_of_two = step.alternative is not None and step.failed is None
         wanted = (step.level is Level.INFO or one_of_two) and not step.dangerous

@@ -34,7 +34,7 @@ def show_in_view(
     calibrated: Callable[[GripperState], float] | None = None,
     frame: UserFrame | None = None,
 ) -> None:
-    """Show angles and pose; stale values look so.
+    """Show angles and pose in the picture; stale values are faded.
 
     Args:
         view: The 3D picture.
@@ -42,7 +42,7 @@ def show_in_view(
         operating_state: The operating state.
         tool: The tool centre point in the flange, mm and degrees, whose pose is shown; zeros or
             nothing for the flange.
-        calibrated: Returns the gripper's opening by its table; by default as it is told.
+        calibrated: Returns the gripper's opening by its table; by default the reported one.
         frame: The user frame in which the pose is shown; by default the base.
     """
     joints_stale, pose_stale = (
@@ -51,7 +51,7 @@ def show_in_view(
     )
     angles_deg = state.angles_deg()
     if angles_deg is None:
-        view.set_joints_unknown()  # silent or let go for a moment, it has not gone to its zeros
+        view.set_joints_unknown()  # the arm is silent: the picture keeps its last pose
     else:
         gripper = None if state.gripper is None else state.gripper.value
         gripper_mm = None if gripper is None else gripper.opening_mm

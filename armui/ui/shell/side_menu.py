@@ -48,13 +48,13 @@ _TEXT_RIGHT_PX: Final = 8
 
 _FOLD_PX: Final = 10
 _SMALL: Final = 0.8
-"""The texts at the foot, of the size of the others: all three fit into the width."""
+"""The size of texts at the foot, by the normal size: all three fit into the width."""
 _SIGN_ROOM_PX: Final = 26.0
-"""From the right edge of a heading to its sign, with a gap."""
+"""The distance from the right edge of a heading to its sign, with a gap."""
 _HEADING_TOP_PX: Final = 3.0
-"""How much lower than its middle a heading has its word, by the style sheet."""
+"""The offset of a heading's text from its middle, as in the style sheet."""
 _AROUND_PX: Final = 14
-"""Above and below the menu, and between its two parts."""
+"""The sum of the margins above and below the menu, and between its two parts."""
 _HEADINGS: Final = Texts("SideMenu") | {
     "operate": "Operate",
     "settings": "Arm settings",
@@ -322,7 +322,7 @@ class MenuEntry:
 
 
 class GroupHeading(Translated, QToolButton):
-    """The heading of the group that folds; while it is folded, the number of its entries, small."""
+    """The heading of a group that can be folded; folded, it shows the number of its entries."""
 
     def __init__(self, entries: int) -> None:
         super().__init__()
@@ -330,7 +330,7 @@ class GroupHeading(Translated, QToolButton):
         self.setProperty("heading", True)
         self.setCheckable(True)
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setLayoutDirection(Qt.LayoutDirection.RightToLeft)  # the sign behind the word
+        self.setLayoutDirection(Qt.LayoutDirection.RightToLeft)  # puts the sign behind the text
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setIconSize(QSize(_FOLD_PX, _FOLD_PX))
         self._entries = entries
@@ -347,7 +347,7 @@ class GroupHeading(Translated, QToolButton):
         self.setToolTip(self.tr("Folds this group away, or shows it."))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the number of what is folded away in front of the sign."""
+        """Draw the number of folded entries in front of the sign."""
         super().paintEvent(event)
         if self.isChecked():
             return
@@ -375,9 +375,9 @@ class SideMenu(Translated, QWidget):
         library: Opens the library.
         watch: Opens what is watched.
         joint_status: Shows the state of the joints, always visible (manual 1.0.10).
-        foot: Stands at the foot, whatever is above.
+        foot: The buttons at the foot, whose place is fixed.
         folded: True or False as the operator left the group of the settings; None to fit.
-        unlock: Leaves the operator's view; it stands in the place of the group of the settings.
+        unlock: Leaves the operator's view; it replaces the group of the settings.
 
     Signals:
         chosen: The index of the entry.
@@ -401,7 +401,7 @@ class SideMenu(Translated, QWidget):
     ) -> None:
         super().__init__()
         self.setObjectName("side_menu")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._entries = tuple(entries)
         self._folded = folded
         self.commands = [
@@ -431,7 +431,7 @@ class SideMenu(Translated, QWidget):
         in_column(*work, on=self._below, spacing=_GAP_PX, margins=0)
         margins = (8, 6, 8, 6)
         layout = in_column((area, 1), self._below, on=self, spacing=_GAP_PX, margins=margins)
-        layout.addStretch(0)  # for the room that is left where nothing scrolls
+        layout.addStretch(0)  # takes the spare height if nothing scrolls
         layout.addWidget(foot)
         self._foot = foot
         self._fold.clicked.connect(self._on_folded)
@@ -462,7 +462,7 @@ class SideMenu(Translated, QWidget):
         self.chosen.emit(place)
 
     def open_entry(self, key: str) -> None:
-        """Open an entry as by a press on it, unless it is open already."""
+        """Open an entry as if it was pressed, unless it is open already."""
         keys = [entry.key for entry in self._entries]
         place = keys.index(key)
         if place != self._chosen and self.isVisible():
@@ -498,7 +498,7 @@ class SideMenu(Translated, QWidget):
         self._fold.setVisible(not operator_view())
         self._unlock.setVisible(operator_view())
         self._column.updateGeometry()
-        self._area.fit()  # within a resize Qt would not
+        self._area.fit()  # Qt does not update it during a resize
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit into the new room."""
@@ -528,7 +528,7 @@ class SideMenu(Translated, QWidget):
         area.setObjectName("side_menu_entries")
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.viewport().setAutoFillBackground(False)
-        column.setBackgroundRole(QPalette.ColorRole.Base)  # a scroll area has its widget filled
+        column.setBackgroundRole(QPalette.ColorRole.Base)  # a scroll area fills its widget
         self._bar = area.verticalScrollBar()
         # queued: the area must not be resized while it lays out its contents
         queued = Qt.ConnectionType.QueuedConnection
@@ -536,7 +536,7 @@ class SideMenu(Translated, QWidget):
         return area
 
     def _make_room(self, _least: int, most: int) -> None:
-        """Make room for the scroll bar beside the entries, where they scroll."""
+        """Widen the menu by the scroll bar while its entries scroll."""
         self.setFixedWidth(_WIDTH_PX + (self._bar.sizeHint().width() if most else 0))
 
     # -- appearance ---------------------------------------------------------------------------

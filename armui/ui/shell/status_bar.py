@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 _WARNINGS: Final = TARGET_REFUSALS | {ArmStatusCode.OVERSPEED_WHILE_TEACHING}
 _LEAVES: Final = frozenset({MotionKind.SINKS, MotionKind.MOVES, MotionKind.LED})
-"""What is measured of an arm that leaves the target that it reports as reached."""
+"""The motions by which an arm leaves a target that it still reports as reached."""
 _ICON_PX: Final = 16
 _QUANTITIES: Final = {
     "control": ("arm.control_mode",),
@@ -59,7 +59,7 @@ _QUANTITIES: Final = {
 class FailureLine(HasActs, Translated, QWidget):
     """Shows the newest unexpected failure and its count; hidden until there is one.
 
-    It takes its room from the picture: buttons that move the arm keep their places.
+    Its height is taken from the picture, so that buttons that move the arm keep their places.
     """
 
     copy = Act("Copy details", named="failure_copy_button")
@@ -206,7 +206,7 @@ class StatusBar(Translated, QWidget):
     def __init__(self, controller: ArmController, *, with_notices: bool = True) -> None:
         super().__init__()
         self.setObjectName("status_bar")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._controller = controller
         self._event: Event | None = None
         self._entry: int | None = None
@@ -251,14 +251,14 @@ class StatusBar(Translated, QWidget):
 
     def _on_noticed(self, event: Event) -> None:
         if event.notice.kind is EventKind.ODDITY and self._outweighs_an_oddity:
-            return  # such a remark on the bus stands among the events
+            return  # such an event is only listed in the page of events
         self._event, self._problem = event, None
         self._entry = self._controller.event_collector.number_of(event)
         self._show_notice()
 
     @property
     def _outweighs_an_oddity(self) -> bool:
-        """True if a problem, a result, a warning or a fault is shown."""
+        """True if the bar shows something more important than an oddity on the bus."""
         event = self._event
         matters = event and event.level is not Level.INFO and event.notice.kind != EventKind.ODDITY
         return self._problem is not None or bool(matters)
@@ -318,7 +318,7 @@ class StatusBar(Translated, QWidget):
             self._spell_out(*shown)
 
     def _show_motion(self, motion: UncommandedMotion | None) -> None:
-        """Show what an arm does by itself, as long as it does."""
+        """Show an uncommanded motion of the arm while it lasts."""
         text = "" if motion is None else words.uncommanded_motion_short(motion)
         if text != self._motion_label.text():
             self._motion_label.setText(text)
@@ -327,9 +327,9 @@ class StatusBar(Translated, QWidget):
             set_rank(self._motion_label, "warning" if motion and motion.is_danger else "")
 
     def _spell_out(self, status: Status | None, stale: bool, mode: str, left: bool) -> None:
-        """Put the codes into words; ``None`` is a status that has never been heard."""
+        """Show the codes in words; ``None`` is a status that was never received."""
         texts = self._texts_of(status, mode, left=left)
-        # an alarm is given only by what is heard now: an old status may no longer hold
+        # only a fresh status may raise an alarm: an old one may no longer hold
         alarm = None if stale or status is None else self._alarm(status)
         ranks = self._ranks(alarm, muted=stale or status is None)
         if mode and not stale:
@@ -369,11 +369,11 @@ class StatusBar(Translated, QWidget):
         return texts
 
     def _ranks(self, alarm: str | None, *, muted: bool) -> dict[str, str]:
-        """Return the rank of each label: that of the alarm for the status and the joints at fault.
+        """Return the rank of each label; an alarm applies to the status and the faulty joints.
 
         Args:
             alarm: See `_alarm`.
-            muted: True for a status that is old, or was never heard.
+            muted: True for a status that is stale, or was never received.
         """
         ranks = dict.fromkeys(self._labels, "muted" if muted else "")
         if alarm is not None:
@@ -381,7 +381,7 @@ class StatusBar(Translated, QWidget):
         return ranks
 
     def _mode(self, code: int, foreign_mode: str) -> str:
-        """Return how the arm travels; a mode that another program has chosen is told as its."""
+        """Return the mode of motion in words; one chosen by another program is named as such."""
         if not foreign_mode:
             return words.move_mode(code)
         mode = OTHER_MODES.text(foreign_mode)
@@ -399,7 +399,7 @@ class StatusBar(Translated, QWidget):
         return "warning" if any(status.limit_exceeded) else None
 
     def _joint_faults(self, status: Status) -> str:
-        """Return the joints at fault in few words: the bar has room for one line only."""
+        """Return the faulty joints briefly, because the bar has only one line."""
         parts = []
         for text, flags in (
             (self.tr("No communication: {joints}"), status.communication_fault),
@@ -432,9 +432,9 @@ class StatusBar(Translated, QWidget):
 
 
 def _foreign_mode(now: OperatingState) -> str:
-    """Return the mode that another host was heard to command (MIT, CPV, high-follow), or "".
+    """Return the mode commanded by another host (MIT, CPV, high-follow), or "".
 
-    It is taken from that host's frames, as the arm's own status (0x2A1) doesn't tell high-follow.
+    It is taken from that host's frames, because the arm's status (0x2A1) has no high-follow mode.
     """
     other = now.other_host
     return "" if other is None else str(other.refusal.params.get("other_mode", ""))

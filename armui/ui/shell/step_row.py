@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class StepRow(QWidget):
-    """Has one height at all times: when a run begins, or its end is put away, nothing moves.
+    """Shows the next step and the run in one row of fixed height, so that nothing below it moves.
 
-    A run takes the place of a step that says no more than the run itself. Of an obstacle both are
-    shown: the step on the left of a run's buttons, which stay where they were; on the right of the
-    words that are left of a run that is over.
+    A run replaces a step that says no more than the run. Otherwise both are shown: the step at the
+    left of a run's buttons, which keep their place, or at the right of the text of a run that is
+    over.
 
     Args:
         controller: Gives the state of runs.

@@ -70,7 +70,7 @@ _OF_ITSELF: Final = (
     MotionKind.UNMEASURED,
     MotionKind.UNHEARD,
 )
-"""What an arm does that is said in the place of what its motors are told."""
+"""The uncommanded motions that replace the state of the motors on the button."""
 _WIDEST_PX: Final = 620
 _MEANING_FROM_PX: Final = 400
 _CONNECT: Final = also(
@@ -105,7 +105,7 @@ class SpeedControl(Translated, QWidget):
         self._label.setBuddy(self.field)
         self._means = named("speed_means", ValueLabel(f"≤ {fmt.append_unit('0000', 'mm/s')}"))
         self._means.show_text("")
-        # it goes before the window is kept from becoming narrower
+        # the text may shrink: else it would keep the window from becoming narrower
         self._means.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._arm_label = text_label(rank="muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
@@ -127,7 +127,7 @@ class SpeedControl(Translated, QWidget):
             self._describe()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Tell what the percentage means in the tooltip alone where there is no room beside it."""
+        """Show what the percentage means only if there is room; else it is in the tooltip."""
         super().resizeEvent(event)
         self._means.setVisible(event.size().width() >= _MEANING_FROM_PX)
         self._describe()
@@ -163,7 +163,7 @@ class SpeedControl(Translated, QWidget):
         self._show_what_is_told(self._controller.operating_state.generation)
 
     def _describe(self) -> None:
-        """Say what the percentage is for, and what it means where that stands nowhere else."""
+        """Set the tooltip: the purpose, and the meaning of the percentage if it is not shown."""
         tip = self.tr(
             "The speed of everything, 0–100 %: of the arm's highest, and in a run of each point's "
             "or the recorded one. 0 % holds a run back. Slower {slower}, faster {faster}. A motion "
@@ -187,11 +187,12 @@ def _meaning(now: OperatingState, end: Reading[EndLimits] | None, mode: int | No
 
 
 class EnableButton(Translated, QAbstractButton):
-    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not heard.
+    """Shows for each joint whether it is enabled: filled, hollow, or dashed if not known.
 
-    After an emergency stop the word is that of the stop: the motors report disabled, but still
-    brake until the release. Of an arm that moves by itself it is what the arm does: «Stopped» is
-    said once it is measured at rest. A joint with a fault has a ring with «!», enabled or not.
+    After an emergency stop the button says that the arm is stopped: the motors report disabled, but
+    still brake until the release. If the arm moves without a command, it names that motion, and
+    «Stopped» is shown only after the arm is measured at rest. A joint with a fault has a ring with
+    «!», enabled or not.
     """
 
     def __init__(self) -> None:
@@ -225,7 +226,7 @@ class EnableButton(Translated, QAbstractButton):
 
     @property
     def offer(self) -> str:
-        """What a click does, as the second line; "" while the next step says it."""
+        """What a click does, as the second line; "" if the line of the next step shows it."""
         return self.tr("Disable…") if self.turns_off and self._stands() == "enabled" else ""
 
     def show_faults(self, joints: tuple[int, ...]) -> None:
@@ -317,7 +318,7 @@ class EnableButton(Translated, QAbstractButton):
 
 
 def _told_as_a_word(motion: UncommandedMotion | None, *, stopped: bool) -> MotionKind | None:
-    """Return what an arm does by itself, where that is to be said in the place of its motors."""
+    """Return the uncommanded motion that replaces the state of the motors, or ``None``."""
     if motion is None or motion.kind not in _OF_ITSELF:
         return None
     return motion.kind if stopped or motion.is_danger else None
@@ -404,7 +405,7 @@ class CommunicationButton(Translated, QAbstractButton):
         self.update()
 
     def _offset_text(self) -> str:
-        """Return in words the first identifier of the feedback, "" if it is the usual one."""
+        """Return a sentence with the first identifier of the feedback; "" for the usual one."""
         offset = self._addressing.feedback_offset
         if self._link is not LinkState.ONLINE or self._addressing == Addressing():
             return ""
@@ -533,7 +534,7 @@ class TopBar(Translated, QWidget):
     ) -> None:
         super().__init__(parent)
         self.setObjectName("top_bar")
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)  # else no background is drawn
         self._controller = controller
         self._monitor = monitor
         self._communication = CommunicationButton()

@@ -23,7 +23,7 @@ PAGE_SHARE: Final = 0.6
 _LEAST_PANEL_PX: Final = 400
 _LEAST_VIEW_PX: Final = 300
 _NARROW_VIEW_PX: Final = 390
-"""The picture beside a page whose table takes more than its share."""
+"""The width left for the picture beside a page whose table needs more than its share."""
 _LEAST_WORK_PX: Final = 260
 _MOVED: Final = frozenset({QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.WindowStateChange})
 
@@ -84,7 +84,7 @@ class WorkArea(QSplitter):
         self._turn(pages=False)
 
     def set_widths(self, panel_px: int, page_share: float) -> None:
-        """Set other widths."""
+        """Set the width of the panels in pixels, and the share of the width for pages."""
         self.panel_px, self.page_share = panel_px, page_share
         self.fit()
 
@@ -105,7 +105,7 @@ class WorkArea(QSplitter):
         self.setSizes([of_panels, of_pages, max(0, room - width)])
 
     def _wanted(self, room: int) -> int:
-        """Return the width left of the picture: at first a page's table may take more."""
+        """Return the width left of the picture; a table may get more than the default share."""
         if not self.shows_pages:
             return self.panel_px
         share = round(self.page_share * room)
@@ -114,7 +114,7 @@ class WorkArea(QSplitter):
         return max(share, min(self._pages.wanted_px, room - _NARROW_VIEW_PX))
 
     def _least(self) -> tuple[QWidget, int]:
-        """Return what is left of the picture, and how wide it must be."""
+        """Return the widget at the left of the picture, and its least width."""
         left = self._pages if self.shows_pages else self._panels
         return left, max(left.minimumWidth(), left.minimumSizeHint().width())
 
@@ -224,7 +224,7 @@ class WindowLayout(QObject):
         self._column = column
         layout = keeper.layout
         if layout.window is None:
-            room = screens()[0]  # less the room for the window's title and frame
+            room = screens()[0]  # without the window's title and frame
             window.resize(first_size.boundedTo(QSize(room.width, room.height)))
         else:
             window.setGeometry(on_screen(layout.window))

@@ -46,7 +46,8 @@ class PageWindow(ArmDialog):
         controller: Receives halt and emergency stop.
         page: The page in it.
         parent: The main window.
-        bar: What stands above the page: who moves the arm is seen where the main window is covered.
+        bar: The bar above the page, which shows who moves the arm, as the main window may be
+            covered.
 
     Signals:
         put_back_wanted: The page shall return to the main window.
@@ -62,7 +63,7 @@ class PageWindow(ArmDialog):
         super().__init__(controller, parent)
         self.setObjectName(f"{page.key}_window")
         self.setWindowFlags(Qt.WindowType.Window)
-        self._moved = True  # as if the operator had moved it: it opens where it was
+        self._moved = True  # keeps the base class from placing it: it opens at its stored place
         self._page: Page | None = page
         self._put_back = named("page_put_back", QToolButton())
         self._put_back.setIconSize(QSize(_ICON_PX, _ICON_PX))
@@ -146,7 +147,7 @@ class PageHome(Protocol):
         """Show a page in front of the others."""
 
     def drop_page(self, page: Page) -> None:
-        """Release a page."""
+        """Remove a page from the region; it is not deleted."""
 
 
 class Workspace(QObject):
@@ -156,7 +157,7 @@ class Workspace(QObject):
         controller: Receives the stops of the windows.
         keeper: Stores which pages were taken out, with their places.
         window: The main window.
-        bar: Makes what stands above each page in a window of its own.
+        bar: Makes the bar above each page in a window of its own.
     """
 
     def __init__(
@@ -267,7 +268,7 @@ class Workspace(QObject):
     def next_left_open(self) -> OpenWindow | None:
         """Return the next page that was open when the program ended, or ``None``.
 
-        Of those in the main window only that of the drawer is.
+        These are the pages in windows, and the visible page of the drawer.
         """
         return self._left_open.pop(0) if self._left_open else None
 
@@ -315,7 +316,7 @@ class Workspace(QObject):
         self._keeper.note()
 
     def _on_closed(self, page: Page) -> None:
-        """Release a page that was left, and show the one that led to it, wherever that stands."""
+        """Release a page that was left; if it was docked, show the page that led to it."""
         docked = page not in self._windows and page.isVisible()
         self._let_go(page)
         self._homes[page].drop_page(page)

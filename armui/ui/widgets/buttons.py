@@ -46,12 +46,12 @@ def enable_or_explain(
     if key:
         shown = QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
         use = f"{use} ({shown})"
-    if target.toolTip() != (reason or use):  # Qt sends an event even for the same text
+    if target.toolTip() != (reason or use):  # Qt sends an event even if the text is the same
         target.setToolTip(reason or use)
 
 
 def reason_against(target: QWidget | QAction) -> str:
-    """Return why something cannot be used now, as :func:`enable_or_explain` was told; "" if not."""
+    """Return the reason set by :func:`enable_or_explain`; "" if the target can be used."""
     return str(target.property(_REASON) or "")
 
 
@@ -167,7 +167,7 @@ def drop_down(name: str) -> QComboBox:
 
 
 def spin_box(least: int, most: int, unit: str = "", *, step: int = 1) -> QSpinBox:
-    """Return a box for a whole number, which stands in its middle.
+    """Return a box for a whole number, which is centred in it.
 
     Args:
         least: The smallest number allowed.

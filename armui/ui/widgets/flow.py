@@ -16,8 +16,8 @@ class Flow(QLayout):
     """Lays its widgets out from left to right, in lines like text.
 
     A widget with an expanding size policy takes the rest of its line; one added by :meth:`push` is
-    at the right end of it. What is lower than its line stands in the middle of it, or at the top
-    by its alignment.
+    at the right end of it. A widget lower than its line is centred in it, or at the top if so
+    aligned.
 
     Args:
         owner: The widget whose layout it becomes.

@@ -17,7 +17,7 @@ from armui.ui.widgets.translated import Translated
 _LARGE: Final = Face(52, 0, 8.0, 9.0, 14.0, 8.0, 1.15, has_caption=True)
 _SLIM: Final = Face(30, 0, 6.0, 7.0, 12.0, 8.0, 1.0, has_caption=False)
 _SQUARE: Final = 1.5
-"""The side of the stop square, by the sign's radius. Two bars would promise that it goes on."""
+"""The side of the stop square, by the sign's radius. Two bars would mean a pause that continues."""
 
 
 class HaltButton(Translated, PressButton):
@@ -37,7 +37,7 @@ class HaltButton(Translated, PressButton):
         self.retranslate_ui()
 
     def act(self) -> None:
-        """End the motion."""
+        """End any motion with power on."""
         self._controller.halt_and_hold()
 
     def retranslate_ui(self) -> None:

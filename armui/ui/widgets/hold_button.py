@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from armui.control.link.arm_mark import ArmMark
 
 _HELD_UP_S: Final = 0.25
-"""After a longer pause of the window what mouse and keys did meanwhile is heard before it acts."""
+"""After a longer pause of the event loop, pending releases are handled before it acts."""
 HOLD_MS: Final = 1000
 """The time of holding: long enough to be intended, short enough to wait for."""
 
@@ -96,7 +96,7 @@ class HoldButton(Translated, QPushButton):
         )
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin the hold, if its end will be heard."""
+        """Begin the hold, unless Qt would not report its release."""
         if can_be_let_go(event):
             super().mousePressEvent(event)
         else:
@@ -114,14 +114,14 @@ class HoldButton(Translated, QPushButton):
         self.update()
 
     def _on_finished(self) -> None:
-        if self._was_held_up:  # a release that waits is heard first
+        if self._was_held_up:  # first handle a release that waits in the event queue
             QTimer.singleShot(0, self, self._act)
         else:
             self._act()
 
     def _act(self) -> None:
         if self.progress.state() is QVariantAnimation.State.Running:
-            return  # it was let go, and pressed again
+            return  # it was released and pressed again
         self._was_held = True
         # the button may have been released, disabled or hidden in the last moment
         if self.isDown() and self.isEnabled() and self.isVisible():
@@ -133,7 +133,7 @@ class HoldButton(Translated, QPushButton):
         self._begin_anew()
 
     def _on_clicked(self) -> None:
-        """Explain after a short press, above the button, as its question may be below."""
+        """Show the hint after a short press; above the button, as its question may be below."""
         if not self._was_held:
             above = self.mapToGlobal(QPoint(0, -2 * self.height()))
             QToolTip.showText(above, self._hint(), self, QRect(), _HINT_MS)

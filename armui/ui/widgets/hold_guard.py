@@ -38,10 +38,10 @@ UNATTENDED_S: Final = 10
 
 
 def can_be_let_go(press: QMouseEvent) -> bool:
-    """Return whether the release of a press will be heard: no other button of the mouse is down.
+    """Return whether Qt will report the release of a press: no other mouse button is down.
 
-    Beside a button that was pressed elsewhere, or on what is gone since, Qt tells a widget of the
-    press of another one, and no widget of its release.
+    While another button is down that was pressed elsewhere, or on a widget that has gone, Qt
+    reports the press of a further button to a widget, but its release to none.
     """
     return press.buttons() == press.button()
 

@@ -59,7 +59,7 @@ class CardArea(QScrollArea):
         """Take the card, at the first time."""
         if self.widget() is None:
             self.setWidget(self._card)
-            self._card.setAutoFillBackground(False)  # its corners are round
+            self._card.setAutoFillBackground(False)  # it would fill the round corners
         self.fit()
         super().showEvent(event)
 

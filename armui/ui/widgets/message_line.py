@@ -23,14 +23,14 @@ _ICON_PX: Final = 20
 _SIDE_PX: Final = 12
 _TOP_PX: Final = 8
 _LEAST_TOP_PX: Final = 2
-"""Above and below a message of one line more than there is room for."""
+"""The margin above and below a message with one line more than usual."""
 _GAP_PX: Final = 10
 _LINE: Final = "急"
-"""A line of Chinese text, which may be higher than others."""
+"""A character to measure a line of Chinese text, which may be higher than others."""
 _LEAST_PX: Final = 200
 _UNBOUNDED_PX: Final = 10_000
 _OVER: Final = frozenset({Level.INFO, Level.DONE, Level.WARNING})
-"""The levels of messages that need not outlive a change of language."""
+"""The levels of messages that are dropped after a change of language."""
 _ICONS: Final = {
     Level.INFO: "info",
     Level.DONE: "done",
@@ -44,10 +44,11 @@ class MessageLine(QWidget):
 
     Args:
         parent: The parent widget.
-        keeps_room: True if its room is kept when there is no message. Below a table it is not: the
-            table's lower end gives way, and nothing else moves.
+        keeps_room: True if its room is kept when there is no message; not needed below a table,
+            which only becomes lower.
         lines: The least number of lines to have room for.
-        steady: True if one line more changes nothing, either: what stands above it must not move.
+        steady: True if there is room for one line more, so that a longer text moves nothing above
+            it.
     """
 
     def __init__(
@@ -111,7 +112,7 @@ class MessageLine(QWidget):
         return QSize(_LEAST_PX if self._keeps_room else self._natural_px(), height)
 
     def kept_px(self) -> int:
-        """Return the height that is kept for any text, in pixels."""
+        """Return the height kept for messages, in pixels."""
         usual = self._text_px(self._room) + 2 * _TOP_PX
         return max(usual, self._text_px(self._more_room) + 2 * _LEAST_TOP_PX)
 

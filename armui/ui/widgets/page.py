@@ -25,16 +25,15 @@ class Page(HasActs, Translated, QWidget):
 
     Args:
         key: Its name in the settings; pages of one kind share it.
-        parent: Qt's.
-        footed: True if its body scrolls by itself where there is little height, so that the footer
-            stays in sight.
+        parent: The parent widget.
+        footed: True if its body scrolls in a low window, so that the footer stays visible.
 
     Attributes:
         above: The page that leads to it, and to which the way back leads.
         first: The widget to focus at first; ``None`` for the page itself.
         body: The layout for its content.
         footer: The layout for its last buttons, from left to right.
-        leaves_at_escape: Whether Escape leaves it, as something opened from elsewhere.
+        leaves_at_escape: True if Escape leaves it.
 
     Signals:
         titled: Its title has changed.
@@ -85,10 +84,7 @@ class Page(HasActs, Translated, QWidget):
         return {}
 
     def bring_into_sight(self, part: QWidget) -> None:
-        """Scroll to a part of the body, once it has its place: there may be little height.
-
-        A part that is hidden by then is none.
-        """
+        """Scroll to a part of the body once the layout has placed it; ignore a hidden part."""
         area = self._area
 
         def scroll() -> None:
@@ -135,7 +131,7 @@ class Page(HasActs, Translated, QWidget):
 
 
 class _Room(QWidget):
-    """Needs the least room of the page that is seen, not that of the largest, nor what it likes."""
+    """Holds a stack, and needs only the least size of the visible page, not that of the largest."""
 
     def __init__(self, stack: QStackedWidget) -> None:
         super().__init__()
@@ -144,7 +140,7 @@ class _Room(QWidget):
         stack.currentChanged.connect(self.updateGeometry)
 
     def minimumSizeHint(self) -> QSize:
-        """Return that of the visible page in the present width."""
+        """Return the least size of the visible page in the present width."""
         page = self.stack.currentWidget()
         if page is None:
             return QSize(0, 0)
@@ -154,7 +150,7 @@ class _Room(QWidget):
         return least
 
     def sizeHint(self) -> QSize:
-        """Return the same."""
+        """Return the same as :meth:`minimumSizeHint`."""
         return self.minimumSizeHint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -193,12 +189,12 @@ class StackArea(QScrollArea):
         stack.currentChanged.connect(self._begin)
 
     def _begin(self) -> None:
-        """Show another widget from its top, not from where the one before was scrolled to."""
+        """Show a newly chosen widget from its top, not scrolled like the one before."""
         self.updateGeometry()
         self.verticalScrollBar().setValue(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Tell what holds it when the widget wants another width; Qt keeps that for itself."""
+        """Update the size hint when the widget wants another width: a scroll area does not."""
         if event.type() == QEvent.Type.LayoutRequest:
             self.updateGeometry()
         return super().eventFilter(watched, event)

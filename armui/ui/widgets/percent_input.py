@@ -18,11 +18,11 @@ _TYPED_PERCENT: Final = 999
 
 
 class _PercentBox(QSpinBox):
-    """A field whose steps stay within 0–100 %; what is typed beyond is refused in words."""
+    """A field whose steps stay within 0–100 %; for a typed figure beyond, the reason is shown."""
 
     def __init__(self) -> None:
         super().__init__()
-        # a figure that could not be typed would lose digits without a word
+        # a wider range than is valid: else Qt would drop digits without an explanation
         self.setRange(-_TYPED_PERCENT, _TYPED_PERCENT)
 
     def stepBy(self, steps: int) -> None:  # noqa: N802 - the name Qt calls
@@ -68,14 +68,14 @@ class PercentInput(QObject):
         self.field.valueChanged.connect(self._on_chosen)
 
     def _on_dragged(self, percent: int) -> None:
-        """Show in the field where the handle is; only a lower percentage counts yet."""
+        """Show the handle's place in the field; only a lower percentage takes effect yet."""
         with QSignalBlocker(self.field):
             self.field.setValue(percent)
         if percent < self._value():
             self._choose(percent)
 
     def _on_released(self) -> None:
-        """Choose the place where the handle was let go, also where it was taken."""
+        """Take the percentage where the handle was released, even if it was not moved."""
         self._on_chosen(self.slider.sliderPosition())
 
     def _on_chosen(self, percent: int) -> None:

@@ -19,16 +19,16 @@ _CAPTION_SCALE: Final = 0.82
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """The measures of a stop button: a large one with its key below the word, or a slim line.
+    """The measures of a stop button: a large one with its key below the word, or a slim one.
 
     Attributes:
-        height_px: Of the button.
-        least_px: Its width at least, where there is room.
-        sign_px: The sign's radius.
-        gap_px: Between sign and word.
-        padding_px: Left and right of them.
-        tight_px: The same where there is no room.
-        word_scale: The word's font, by the window's.
+        height_px: The height of the button.
+        least_px: The least width, if there is room.
+        sign_px: The radius of the sign.
+        gap_px: The gap between sign and word.
+        padding_px: The margins at the left and right of both.
+        tight_px: The margins if there is little room.
+        word_scale: The size of the word's font, as a multiple of the window's.
         has_caption: True if a second line stands below the word.
     """
 
@@ -47,10 +47,10 @@ class Inks:
     """The colours of a stop button.
 
     Attributes:
-        ground: Behind everything.
+        ground: The background.
         edge: The line around it.
-        word: Of sign and word.
-        caption: Of the line below the word.
+        word: The colour of sign and word.
+        caption: The colour of the line below the word.
     """
 
     ground: str
@@ -64,7 +64,7 @@ class PressButton(QPushButton):
 
     Args:
         face: The measures.
-        parent: Qt's.
+        parent: The parent widget.
     """
 
     def __init__(self, face: Face, parent: QWidget | None = None) -> None:
@@ -95,22 +95,22 @@ class PressButton(QPushButton):
         if not self._has_acted:
             self.act()
 
-    # What the two differ in -----------------------------------------------------------------------
+    # What a subclass defines ----------------------------------------------------------------------
 
     def _inks(self, colors: Colors, *, pressed: bool) -> Inks:
         """Return the colours, for a button that is pressed or pointed at, or not."""
         raise NotImplementedError
 
     def _all_words(self) -> Sequence[str]:
-        """Return every word it may show, so that its width does not change."""
+        """Return all words that it can show: the widest sets its width."""
         raise NotImplementedError
 
     def _caption(self) -> str:
-        """Return what stands below the word, smaller."""
+        """Return the smaller text below the word."""
         raise NotImplementedError
 
     def _draw_sign(self, painter: QPainter, center: QPointF, colors: Colors) -> None:
-        """Draw the sign, which tells what the button is without its colour."""
+        """Draw the sign, whose shape distinguishes the buttons without colour."""
         raise NotImplementedError
 
     # Appearance -----------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""A progress bar."""
+"""A progress bar without figures, hidden until it is used."""
 
 from __future__ import annotations
 

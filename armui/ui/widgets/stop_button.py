@@ -44,7 +44,7 @@ class StopButton(Translated, PressButton):
     # -- behaviour ----------------------------------------------------------------------------
 
     def act(self) -> None:
-        """Stop the arm."""
+        """Send the emergency stop."""
         self._controller.emergency_stop()
 
     # -- appearance ---------------------------------------------------------------------------
@@ -122,6 +122,6 @@ class StopButton(Translated, PressButton):
 
 
 def _shown(operating_state: OperatingState) -> tuple[object, ...]:
-    """Return what its words depend on."""
+    """Return the values that its words depend on."""
     now = operating_state
     return (now.stop, now.stop_unconfirmed, now.stop_lapsed, now.uncommanded)

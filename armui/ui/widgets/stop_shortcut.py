@@ -55,29 +55,29 @@ class StopShortcut(QObject):
         if first_window is None:
             app.installEventFilter(self)
         else:
-            # from then on, so that the events of the first painting do not pass through Python
+            # installed after the first painting, whose events then do not pass through Python
             _FirstPicture(self, first_window).seen.connect(self._go_first)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Handle the keys in every window, and presses behind a popup."""
-        # Most events are none of these; to ask them for their type takes Python ten times as long.
+        # most events are of no interest: asking each for its type would take ten times as long
         if not isinstance(event, _LISTENED_TO):
             return False
-        # A key press passes its window first and its widgets after; the first one is taken.
+        # a key press goes to the window first and then to its widgets: take the first one
         kind = event.type()
         if kind == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             return self._on_key(event)
         if kind in _PRESSES and isinstance(event, QMouseEvent):
             return _press_behind_popup(event)
         if kind == QEvent.Type.ToolTip:
-            QTimer.singleShot(0, self, uncover)  # once it is shown
+            QTimer.singleShot(0, self, uncover)  # from the event loop, when the tooltip is visible
         elif kind == QEvent.Type.DragEnter:
-            # a drag has a filter of its own that takes every key: go before it
+            # during a drag, Qt's own filter takes every key: install this one in front of it
             QTimer.singleShot(0, self, self._go_first)
         return False
 
     def _on_key(self, event: QKeyEvent) -> bool:
-        # repetitions of a held key do nothing, but are taken, too, so that no widget acts on them
+        # repetitions of a held key do nothing, but are taken, so that no widget acts on them
         chord = event.keyCombination() if _HAS_CHORDS else None
         if event.key() in STOP_KEYS or chord == STOP_CHORD:
             if not event.isAutoRepeat():
@@ -100,7 +100,7 @@ class StopShortcut(QObject):
 
 
 class _FirstPicture(QObject):
-    """Tells when a window was painted for the first time, or might have been."""
+    """Emits a signal when a window was painted for the first time, or after a time limit."""
 
     seen = Signal()
 
@@ -129,7 +129,7 @@ def _press_behind_popup(event: QMouseEvent) -> bool:
     if button is None:
         return False
     button.act()
-    # a menu and its submenus are one popup each; one that does not close must not keep us here
+    # each submenu is a popup of its own; stop at one that does not close
     while (popup := QApplication.activePopupWidget()) is not None:
         if not popup.close():
             break
@@ -139,7 +139,7 @@ def _press_behind_popup(event: QMouseEvent) -> bool:
 def _button_at(place: QPoint) -> PressButton | None:
     """Return the button under a place of the desktop that no other window covers."""
     widget = QApplication.widgetAt(place)
-    if widget is None:  # off every screen, as far as the window system tells
+    if widget is None:  # Qt finds no widget outside of all screens
         popup = QApplication.activePopupWidget()
         if popup is not None and popup.geometry().contains(place):
             return None

@@ -79,8 +79,7 @@ class TableHint(Translated, QWidget):
         for label in (self._title, self._text):
             # a layout does not give a centred label the height of its wrapped lines
             label.setFixedSize(width, label.heightForWidth(width))
-        # if the table is low, the title stays longest and the buttons go first: the bar has them,
-        # too
+        # in a low table the buttons are hidden first, as the bar has them, too, and then the text
         room = self._viewport.height() - self._title.height()
         for widget, needed in (
             (self._text, self._text.height()),
@@ -90,7 +89,7 @@ class TableHint(Translated, QWidget):
             widget.setVisible(room >= 0)
 
     def setVisible(self, visible: bool) -> None:  # noqa: N802 - Qt's name
-        """Show or hide it; where there are no rows nothing scrolls sideways."""
+        """Show or hide it; the horizontal scroll bar is off while it is shown."""
         super().setVisible(visible)
         never, needed = Qt.ScrollBarPolicy.ScrollBarAlwaysOff, Qt.ScrollBarPolicy.ScrollBarAsNeeded
         self._table.setHorizontalScrollBarPolicy(never if visible else needed)
@@ -110,7 +109,7 @@ class TableHint(Translated, QWidget):
 
 
 def chosen_rows(view: QAbstractItemView) -> list[int]:
-    """Return the rows with chosen cells, from top to bottom; no cell is asked for it."""
+    """Return the rows with selected cells, in order, without asking every cell."""
     ranges = view.selectionModel().selection().toList()
     return sorted({row for each in ranges for row in range(each.top(), each.bottom() + 1)})
 
@@ -155,7 +154,7 @@ def plain_table(name: str, columns: int, *, wide: int) -> QTableWidget:
 
 
 def _alike(*_: object) -> None:
-    """Return the same for every cell."""
+    """Return ``None``: all cells sort alike."""
 
 
 @dataclass(frozen=True)
@@ -164,11 +163,11 @@ class ViewColumn(Generic[_Read]):
 
     Attributes:
         title: Its English title.
-        read: Returns what a cell shows; the table says of what.
-        order: Returns what its cells are sorted by; by default they are all alike.
+        read: Returns what a cell shows, of an object given by the table.
+        order: Returns the sort key of a cell; by default all are equal.
         tip: The English tooltip of its title.
-        width_px: Its width at first; 0 where another rule has it.
-        sample: The longest text that it is to hold, where its width is made for one.
+        width_px: Its initial width; 0 if it is set otherwise.
+        sample: The longest text, if the width is made for it.
         figures: True for figures, which are aligned to the right with their title.
     """
 
@@ -202,7 +201,7 @@ class ViewColumns(enum.IntEnum):
         return QCoreApplication.translate(type(self).__name__, self.declared.title)
 
     def read(self, *of: object) -> Any:
-        """Return what a cell shows; of what, the table says."""
+        """Return what a cell shows, of an object given by the table."""
         return self.declared.read(*of)
 
     def header(self, role: int) -> Any:
@@ -223,7 +222,7 @@ def set_widths(table: QTableView, columns: type[ViewColumns]) -> None:
 
 
 class TableModel(QAbstractTableModel):
-    """Counts rows and columns, names the columns, and has the view read all cells again."""
+    """Counts rows and columns, names the columns, and can report that all cells have changed."""
 
     _table: Sequence[ViewColumns] = ()
     """The columns; a table of another kind counts them, and names them if they have titles."""

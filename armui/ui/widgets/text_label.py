@@ -80,7 +80,7 @@ class ValueLabel(QWidget):
 class ElidedLabel(QLabel):
     """One line that is shortened with «…» if it does not fit; the tooltip has the whole text.
 
-    Where it is high enough, what does not fit goes on in a second line from its last “·”.
+    If two lines fit, a longer text is split at its last “·”.
     """
 
     def __init__(self, rank: str = "") -> None:
@@ -94,7 +94,7 @@ class ElidedLabel(QLabel):
 
         Args:
             text: The line.
-            tip: What the tooltip says of it, below the whole line where that does not fit.
+            tip: The tooltip, below the whole line if that does not fit.
         """
         self._tip = tip
         self.setText(text)

@@ -1,4 +1,4 @@
-"""Tooltips and hints that would cover a stop or a lamp stand beside it."""
+"""Moves tooltips that would cover a stop or a lamp beside it."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ _GAP_PX: Final = 4
 
 
 def keep_in_sight(widget: QWidget) -> None:
-    """Let no tooltip cover a widget: a stop, or a lamp."""
+    """Mark a widget, such as a stop or a lamp, that no tooltip may cover."""
     widget.setProperty(_KEPT, True)
 
 
 def uncover() -> None:
-    """Move a visible tooltip off what is to be kept in sight; hide it where it has no room."""
+    """Move a visible tooltip away from marked widgets; hide it if there is no room."""
     windows = [each for each in QApplication.topLevelWidgets() if each.isVisible()]
     kept = [
         QRect(each.mapToGlobal(QPoint(0, 0)), each.size())

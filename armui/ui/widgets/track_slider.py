@@ -106,14 +106,14 @@ class TrackSlider(QSlider):
         return QSize(60, 24)
 
     def _place(self, value: float | None) -> float | None:
-        """Return where a value stands on the track, in half pixels: finer can't be seen."""
+        """Return a value's place on the track, rounded to half pixels: finer is not visible."""
         if value is None or self.maximum() == self.minimum():
             return None
         share = (self._steps(value) - self.minimum()) / (self.maximum() - self.minimum())
         return round(2 * (_EDGE_PX + share * (self.width() - 2 * _EDGE_PX))) / 2
 
     def _steps(self, value: float) -> float:
-        """Return a value on the track in its steps: Qt takes no figure of any size."""
+        """Return a value in steps, limited to the track: Qt rejects larger integers."""
         return min(max(value / self._resolution, self.minimum()), self.maximum())
 
     def _value_at(self, x: float) -> int:

@@ -207,7 +207,7 @@ ARM_PARTS: Final = Texts("ArmPart") | {
     "tool": "the tool",
     "held object": "the held object",
 }
-"""The parts of the arm and what it carries, as checks name them."""
+"""The parts of the arm and its load, by the names that checks use."""
 
 
 def arm_kind(kind: str) -> str:
@@ -235,7 +235,7 @@ def disabling(danger: str, generation: Generation | None, state: ArmState) -> st
     """Return what disabling all joints does, the gripper included.
 
     Args:
-        danger: What it does to the arm.
+        danger: The text on the danger to the arm.
         generation: The protocol it speaks.
         state: The arm's state.
     """
@@ -256,11 +256,11 @@ def disabling(danger: str, generation: Generation | None, state: ArmState) -> st
 
 
 def mounting_check(needed: Mounting | None, told: Mounting | None) -> str:
-    """Return whether an arm was told how its base stands; empty if nothing is to be said.
+    """Return a warning if the arm's mounting does not fit the base; empty if it does.
 
     Args:
-        needed: What the placement of its base wants; ``None`` if the arm knows nothing that fits.
-        told: What this program has told it last; ``None`` if nothing.
+        needed: The mounting for the placement of the base; ``None`` if none fits.
+        told: The mounting that this program has sent last; ``None`` if none.
     """
     if needed is told or (told is None and needed is Mounting.LEVEL):
         return ""
@@ -356,8 +356,8 @@ def reached(is_reached: bool, *, left: bool = False) -> str:
     """Return whether the arm has arrived, byte 4, in words («已达指定点»).
 
     Args:
-        is_reached: As the arm reports it; it stays so when the arm sinks from there.
-        left: True if the arm is measured to move since, though nothing told it to.
+        is_reached: The arm's report; it stays true if the arm sinks from there.
+        left: True if the arm was measured to move since then without a command.
     """
     if is_reached and left:
         return QCoreApplication.translate("Reached", "Target left again")

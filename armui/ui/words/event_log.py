@@ -138,7 +138,7 @@ def _figures(observed: Observed, params: Mapping[str, object]) -> dict[str, obje
 
 
 def _values(params: Mapping[str, object]) -> list[str]:
-    """Return the settings that were sent, each with its value, in brackets; none gives no text."""
+    """Return the settings that were sent, with their values in brackets; [] if there are none."""
     values = params.get("values", ())
     if not isinstance(values, tuple) or not values:
         return []

@@ -45,7 +45,7 @@ def event(event: Event) -> str:
 
 def notice_text(notice: Notice, figures: Mapping[str, object]) -> str:
     """Return the sentence of a notice with its figures."""
-    params = {"settings": figures.get("count"), **figures}  # older files only count them
+    params = {"settings": figures.get("count"), **figures}  # older files have only a count
     reason = params.get("reason")
     params["reason"] = refusal(reason) if isinstance(reason, Refusal) else ""
     if not params.get("firmware"):

@@ -1,4 +1,4 @@
-"""An arm that moves though nothing holds it or told it to, in the operator's language."""
+"""Uncommanded motion in the operator's language: of an arm that is not held, or has no command."""
 
 from __future__ import annotations
 
@@ -59,12 +59,12 @@ _MINUTE_S: Final = 60
 
 
 def what_is_below(names: str) -> str:
-    """Return the names of what is below an arm; what stands there without an area, for none."""
+    """Return the names of what is below an arm, or the words for places without an area."""
     return names or _BELOW.word("nothing")
 
 
 def uncommanded_motion(motion: UncommandedMotion) -> str:
-    """Return what is seen, with its figures, as sentences; "" where nothing is measured yet."""
+    """Return the sentences on an uncommanded motion, with its figures; "" if it is not measured."""
     if motion.kind is MotionKind.UNMEASURED:
         return ""
     return _SENTENCES.text(_sentence_of(motion), _figures(motion))

@@ -29,7 +29,7 @@ _NAMES: Final = Texts("Parameter") | {
 }
 
 _MOST_NAMED: Final = 4
-"""Settings that a sentence names."""
+"""The most settings that a sentence names."""
 
 _STATUS: Final = Texts("Parameter") | {
     CellStatus.NOT_READ: "not read",
@@ -74,7 +74,7 @@ def full_name(parameter: Parameter) -> str:
 
 
 def setting_names(settings: str) -> str:
-    """Return the names of settings, the number of those beyond a few.
+    """Return the names of settings as a list; further ones than a few are only counted.
 
     Args:
         settings: ``max_speed.3 load.0``: each with its joint, 0 for none.

@@ -110,7 +110,7 @@ def quantity(what: Quantity) -> str:
 def in_common(quantities: Sequence[Quantity]) -> tuple[str, list[str]]:
     """Return the common part of several names, and their differences: «电机温度», «J1», «J2» ….
 
-    Without a common part it is "", and the others are whole names.
+    If they have no common part, it is "", and the differences are the whole names.
     """
     first = quantities[0]
     several = len(quantities) > 1

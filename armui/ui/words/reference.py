@@ -13,7 +13,7 @@ from armui.arm.reference_record import ReferenceRecord
 from armui.ui import format as fmt
 
 _LINES: Final = 3
-"""So many resumes at which something slipped are told, the newest first."""
+"""The most resumes with slipped joints that are listed, the newest first."""
 
 
 def reference_text(record: ReferenceRecord) -> str:
@@ -51,7 +51,7 @@ def resume_text(record: ReferenceRecord) -> str:
 
 
 def inspection_text(record: ReferenceRecord) -> str:
-    """Return when the joints were inspected last, and what stood out, for a line of text."""
+    """Return the time and the findings of the last inspection, for a line of text."""
     if not record.inspections:
         return QCoreApplication.translate("Reference", "Never inspected")
     *earlier, last = record.inspections
@@ -69,7 +69,7 @@ def inspection_text(record: ReferenceRecord) -> str:
 
 
 def stamp_text(stamp: str) -> str:
-    """Return a time that was kept as the operator reads it."""
+    """Return a stored time (ISO 8601) as date and minutes."""
     try:
         return f"{datetime.fromisoformat(stamp):%Y-%m-%d %H:%M}"
     except ValueError:

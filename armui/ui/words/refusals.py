@@ -83,7 +83,7 @@ _IN_WORDS: Final[Mapping[str, tuple[type, Callable[[Any], str]]]] = {
     "operation": (str, arm.operation_title),
     **dict.fromkeys(("part", "one", "other"), (str, ARM_PARTS.word)),
 }
-"""The figures of sentences that are codes or names: of which kind, and what says them."""
+"""The figures of sentences that are codes or names: their type, and what puts them in words."""
 
 
 def in_words(params: dict[str, object]) -> dict[str, object]:
@@ -110,7 +110,7 @@ def why_not(reason: Refusal | None) -> str:
 
 
 def why_ended(reason: Refusal | None) -> str:
-    """Return why a run ended, or "": the fault that ended it may be over by now."""
+    """Return why a run ended, or ""; in the past tense for a fault, which may be over by now."""
     if reason is not None and reason.reason == ARM_FAULT:
         return _REPORTED.text().format(status=arm.arm_status(int(reason.params["status"])))
     return why_not(reason)

@@ -14,7 +14,7 @@ from armui.ui.words.text import Text, joined, said, sentence
 _STREAM: Final = Text("RecoveryStep", "{frames}, {rate} frames/s")
 _BRIEFLY: Final = Text("RecoveryStep", "{does}. {text}")
 _LOCKED: Final = Text("RecoveryStep", "Motion is locked: {obstacle}")
-"""What precedes a fault with which the arm takes no motion."""
+"""The text before a fault that locks motion."""
 
 
 def step(this: Step) -> str:
@@ -23,7 +23,7 @@ def step(this: Step) -> str:
 
 
 def step_texts(this: Step) -> tuple[str, ...]:
-    """Return the same in full and then shorter and shorter; what the arm does is in all of them."""
+    """Return the same in full and in shorter versions; each describes the arm's motion."""
     text, *shorter = _obstacle(this)
     if this.motion is None or not (moves := uncommanded_motion(this.motion)):
         return text, *shorter
@@ -38,7 +38,7 @@ def _obstacle(this: Step) -> tuple[str, ...]:
     if isinstance(code := params.get("status"), int):
         params["status"] = f"0x{code:02X}"
     params = in_words(params)
-    if params.get("rate"):  # of single frames, or of many sorts of them, there is none to tell
+    if params.get("rate"):  # there is no rate for single frames, or for frames of many kinds
         params["frames"] = _STREAM.text().format(**params)
     if "target" in params:
         params["target"] = held_target(params["target"])

@@ -32,7 +32,7 @@ They are read at the import, so that the GUI thread opens no file later.
 """
 
 _LIST: Final = re.compile(r"(?:J?\d|0x[0-9A-F]{3})(?:, (?:J?\d|0x[0-9A-F]{3}))+")
-"""Lists of joints or identifiers, made by code that knows no language."""
+"""Lists of joints or identifiers that were joined by code without a language."""
 
 
 def listed(items: Iterable[str]) -> str:
@@ -54,7 +54,7 @@ class _Figures(dict[str, str]):
 
 
 def _figure(name: str, value: object) -> str:
-    """Return a value as the operator reads it."""
+    """Return a figure as text in the operator's language."""
     if name == "joint" and value == ALL_JOINTS:
         return f"{JOINTS[0]}–{JOINTS[-1]}"
     if isinstance(value, Told):
@@ -79,7 +79,7 @@ def sentence(context: str, source: object, params: Mapping[str, object]) -> str:
     figures = _Figures({key: _figure(key, value) for key, value in {**params, **spoken}.items()})
     text = QCoreApplication.translate(context, str(source))
     if _LIST.fullmatch(str(params.get("joints", ""))):
-        text = text.replace("oint {joints}", "oints {joints}")  # in English alone
+        text = text.replace("oint {joints}", "oints {joints}")  # the English plural
     return text.format_map(figures)
 
 

@@ -1,4 +1,4 @@
-"""The work area, those of it near the arm lit, and what the hand holds: translucent."""
+"""The work area and what the hand holds, as translucent bodies; those near the arm are lit."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _PLANE_M: Final = 1.2
 _PLANE_CELLS: Final = 8
 _SPIKE_M: Final = 0.06
 _MIDDLE_M: Final = (0.0, 0.0, 0.25, 1.0)
-"""The middle of where the arm works: a plane is drawn around the place on it that is nearest."""
+"""The middle of the arm's work space: a plane is drawn around its place nearest to this."""
 
 
 class AreaActors:

@@ -125,7 +125,7 @@ class FramePainter:
         return self._render(self._scene, smooth=True)
 
     def close(self) -> None:
-        """Release the scene."""
+        """Release the scene and its graphics memory."""
         if self._scene is not None:
             self._scene.close()
             self._scene = None
@@ -163,11 +163,11 @@ class FramePainter:
         except MemoryError:
             params: dict[str, float | int | str] = {"path": str(path), "most": _LOADING_BYTES >> 20}
             self._on_load_failed(URDF_NO_MEMORY(**params))
-        except Exception as error:  # noqa: BLE001 - whatever a file makes the libraries raise
+        except Exception as error:  # noqa: BLE001 - libraries raise anything for a malformed file
             text = " ".join(f"{type(error).__name__}: {error}".split())
             self._on_load_failed(URDF_MALFORMED(path=str(path), text=text))
         if scene.robot is None and path != BUILT_IN_ROBOT.path:
-            scene.load(BUILT_IN_ROBOT.path)  # no arm at all would be seen
+            scene.load(BUILT_IN_ROBOT.path)  # the built-in robot, so that there is any
         self._on_phase(PicturePhase.FIRST_DRAWING)
 
 

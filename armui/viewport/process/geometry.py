@@ -40,7 +40,7 @@ def is_closed(surface: Surface) -> bool:
     starts, ends = starts[is_edge], ends[is_edge]
     count = len(corners)
     forth, back = np.sort(starts * count + ends), np.sort(ends * count + starts)
-    if not np.array_equal(forth, back):  # an edge without its neighbour, or two of one direction
+    if not np.array_equal(forth, back):  # an edge has no neighbour, or both have one direction
         return False
     one, two, three = (corners[faces[:, corner]] for corner in range(3))
     return float(np.einsum("ij,ij->", one, np.cross(two, three))) > 0.0

@@ -80,7 +80,7 @@ def lower_priority() -> None:
     """
     if sys.platform == "linux":
         for thread in Path("/proc/self/task").iterdir():
-            with contextlib.suppress(OSError):  # it has just ended
+            with contextlib.suppress(OSError):  # the thread has just ended
                 if os.getpriority(os.PRIO_PROCESS, int(thread.name)) < _NICER_BY:
                     os.setpriority(os.PRIO_PROCESS, int(thread.name), _NICER_BY)
     elif hasattr(os, "nice"):
@@ -91,7 +91,7 @@ def _end_with_the_program() -> None:
     program = parent_process()
     if program is not None:
         program.join()
-        os._exit(1)
+        os._exit(1)  # sys.exit would only end this thread
 
 
 class Heartbeat:
@@ -179,7 +179,7 @@ def run(connection: Connection) -> None:
 
 
 class _Drawing:
-    """The painter, the memory it paints into, and what was sent only once."""
+    """Draws on request, and keeps the memory and the path, which are sent only once."""
 
     def __init__(self, heart: Heartbeat) -> None:
         self._heart = heart

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 import numpy as np
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - what VTK's windows and actors draw with
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - registers VTK's OpenGL implementations
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow

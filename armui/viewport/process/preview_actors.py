@@ -39,7 +39,7 @@ class PreviewActors:
         self._pixel_ratio = 1.0
 
     def show(self, preview: Preview, palette: ScenePalette, pixel_ratio: float) -> None:
-        """Rebuild the actors."""
+        """Replace the actors of path and marks by those of another preview."""
         for actor in self._actors:
             self._renderer.RemoveActor(actor)
         self._actors.clear()

@@ -131,7 +131,7 @@ class _Job:
     def _work(self) -> None:
         try:
             self.shell = shell_of(self.robot, self.reach)
-        except Exception:  # noqa: BLE001 - whatever it is, the picture goes on without its reach
+        except Exception:  # noqa: BLE001 - without the reach the picture is still useful
             # for one, all axes of a foreign arm may lie in one plane
             _LOG.exception("The reach of the robot cannot be worked out")
 
@@ -300,7 +300,7 @@ def _around(axis: _Axis, cloud: Array) -> _Grid:
 
 
 def _gathered(axis: _Axis, upper: _Grid) -> _Grid:
-    """Return a grid around another axis with what is reached in the one."""
+    """Return a grid around another axis that covers the same reached places."""
     _, at_far, at_height = np.nonzero(upper.cells)
     heights = np.abs(upper.low + _CELL_M * (at_height + 0.5))
     reach_m = float(np.hypot(_CELL_M * (at_far + 1), heights + _CELL_M).max())

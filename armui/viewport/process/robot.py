@@ -35,9 +35,9 @@ HINGES = frozenset({"revolute", "continuous"})
 _WAYS: Final = np.array(
     [way for way in itertools.product((-1.0, 0.0, 1.0), repeat=3) if any(way)], dtype=np.float64
 )
-"""The 26 directions in which the outermost point of a link is searched."""
+"""The 26 directions in each of which the outermost point of a link is found."""
 _WIDE: Final = 10.0
-"""More than any joint of a gripper travels, in m or rad, so that it is at its end."""
+"""More than the travel of any gripper joint, in m or rad: limited to the range it gives its end."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +146,7 @@ class Robot:
         """For each joint that opens the gripper its travel for each metre of opening, in m or rad.
 
         A finger travels half of it. A joint that only leads fingers, as in the maker's newer
-        descriptions, goes so far that both together travel all of it.
+        descriptions, travels so far that both fingers together travel all of it.
         """
         drawn = {part.link for part in self.parts}
         led: dict[str, list[float]] = {}

@@ -88,7 +88,7 @@ class Stage:
         self._light()
 
     def stand(self, placement: tuple[float, ...]) -> None:
-        """Put the floor where the room has it, its middle below the base."""
+        """Place the floor at the height of the room's floor, centred below the base."""
         if placement != self._placement:
             self._placement = placement
             in_room = np.vstack((np.reshape(placement, (3, 4)), (0.0, 0.0, 0.0, 1.0)))
@@ -191,7 +191,7 @@ class RobotActors:
             matrix.DeepCopy(flat(poses[link]))
 
     def leave_out_what_stands_on(self, other: RobotActors) -> None:
-        """Hide the links that coincide with those of another robot, but for those that touch."""
+        """Hide links that coincide with another robot's, except those that touch by a finding."""
         for link, actor, _ in self._parts:
             own, its = self._poses.get(link), other._poses.get(link)
             is_same = own is not None and its is not None and np.abs(own - its).max() < _SAME
@@ -213,7 +213,7 @@ class RobotActors:
                 color = mix(color, rgb(palette.accent), _HIGHLIGHT_SHARE)
             if not fresh:
                 color = mix(color, rgb(palette.background), _FADED_SHARE)
-            # Faded is flat, too: on a light background a white shell fades by losing its shades.
+            # fade the shading, too: a white shell on a light background fades by nothing else
             ambient, diffuse, specular = (0.12, 1.0, 0.25) if fresh else (0.7, 0.35, 0.0)
             look = actor.GetProperty()
             look.SetColor(*color)

@@ -152,14 +152,14 @@ def _description(path: Path) -> yourdfpy.Robot:
     """Return the content of the file, as yourdfpy's dataclasses."""
     content = _content(path)
     try:
-        with np.errstate(over="ignore", invalid="ignore"):  # figures of hundreds of digits
+        with np.errstate(over="ignore", invalid="ignore"):  # for numbers of hundreds of digits
             return yourdfpy.URDF.load(
                 io.BytesIO(content), build_scene_graph=False, load_meshes=False
             ).robot
     except ValueError as error:
         raise _malformed(path, str(error)) from error
     except (LookupError, TypeError, AttributeError) as error:
-        # what yourdfpy runs into where an element or an attribute is missing
+        # yourdfpy raises these where an element or an attribute is missing
         raise SceneError(URDF_INCOMPLETE, path=str(path)) from error
 
 
@@ -175,9 +175,9 @@ def _content(path: Path) -> bytes:
     except OSError as error:
         text = error_text(error)
         raise SceneError(URDF_UNREADABLE, path=str(path), text=text) from error
-    except (ET.ParseError, LookupError, ValueError) as error:  # also an encoding nobody knows
+    except (ET.ParseError, LookupError, ValueError) as error:  # LookupError: an unknown encoding
         unbound = re.search(rb"<(xacro:\w+)", content)
-        if unbound is not None:  # xacro without its namespace, which a file to include may lack
+        if unbound is not None:  # an included xacro file may lack the namespace: invalid XML
             raise _xacro(path, unbound.group(1).decode()) from error
         raise SceneError(URDF_NOT_XML, path=str(path), text=str(error)) from error
     for each in element.iter():
@@ -205,7 +205,7 @@ def _joint_count(path: Path, found: int) -> SceneError:
 
 
 def _tree(path: Path, description: yourdfpy.Robot) -> tuple[str, tuple[Joint, ...]]:
-    """Return the name of the link everything stands on, and the joints, parents before children.
+    """Return the name of the base link, and the joints, parents before children.
 
     Raises:
         SceneError: there is no link, the links are no single tree, or a joint is wrong.
@@ -232,7 +232,7 @@ def _joints_from(roots: Sequence[str], joints: Sequence[yourdfpy.Joint]) -> list
     reached = list(roots)
     for link in reached:  # the children found here are appended, and visited in their turn
         for joint in joints:
-            # a link that was reached before would lead round a circle for ever
+            # visiting a link again would never end, if the joints form a circle
             if joint.parent == link and joint.child not in reached:
                 ordered.append(joint)
                 reached.append(joint.child)
@@ -305,11 +305,11 @@ def _part(path: Path, description: yourdfpy.Robot, link: str, visual: yourdfpy.V
         if visual.origin is not None:
             surface.apply_transform(visual.origin)
         plain = Surface(np.array(surface.vertices, float), np.array(surface.faces, int))
-        if not (np.abs(plain.vertices) <= _LARGEST_M).all():  # NaN, too
+        if not (np.abs(plain.vertices) <= _LARGEST_M).all():  # false for NaN, too
             what = link if visual.geometry.mesh is None else visual.geometry.mesh.filename
             raise SceneError(MESH_TOO_LARGE, mesh=what or link, most=_LARGEST_M)
         return RobotPart(link, plain, _color(description, visual.material))
-    except ValueError as error:  # of trimesh and numpy: too few numbers in a size or a colour
+    except ValueError as error:  # from trimesh and numpy: too few numbers in a size or a colour
         raise _malformed(path, f"{link}: {error}") from error
 
 
@@ -370,7 +370,7 @@ def _mesh_file(path: Path, name: str | None) -> Path:
     folder = str(path.resolve().parent)
     try:
         found = yourdfpy.filename_handler_magic(name or "", dir=folder)
-    except TypeError:  # its answer to a package without a file: package://name
+    except TypeError:  # raised for a package name without a file: package://name
         found = folder
     if not Path(found).is_file():
         raise SceneError(MESH_MISSING, path=str(path), mesh=name or "")

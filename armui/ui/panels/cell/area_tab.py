@@ -25,7 +25,7 @@ from armui.ui.words.text import Text
 from armui.viewport.robot_shape import pose_rows
 
 _IN_FRONT: Final = (450.0, 0.0, 50.0, 0.0, 0.0, 0.0)
-"""The place proposed for the first one: on the table in front of the arm, in its picture."""
+"""The place proposed for the first zone: on a table in front of the arm."""
 
 
 class AreaTab(NamedTab):
@@ -110,7 +110,7 @@ class AreaTab(NamedTab):
         return replace(self._cell, area=area)
 
     def _put(self, thing: Any, instead_of: str = "") -> Cell:
-        """Return the cell with a zone, and with the margin that is typed."""
+        """Return the cell with a zone added or replaced, and with the margin as typed."""
         area = replace(self._area, margin_mm=figures([self._margin])[0])
         return self._with(with_zone(area, thing, instead_of=instead_of))
 
@@ -124,13 +124,13 @@ class AreaTab(NamedTab):
             self._change(self._with(switched), zone.name)
 
     def typed_zone(self) -> Zone | None:
-        """Return the plane or box as typed while the tab is seen and one is chosen or named."""
+        """Return the plane or box as typed, while the tab is visible and one is chosen or named."""
         named = self._thing is not None or self._name.text().strip()
         nonsense = any(field.is_nonsense() for field in (*self._fields, *self._sizes))
         return self.typed() if self.isVisible() and named and not nonsense else None
 
     def typed(self) -> Zone:
-        """Return what is typed: a plane where one is chosen, else a box."""
+        """Return the zone as typed: a plane if one is chosen, else a box."""
         name, pose, zone = self._name.text().strip(), figures(self._fields), self._thing
         on = zone is None or zone.on
         if isinstance(zone, AreaPlane):
@@ -178,7 +178,7 @@ class AreaTab(NamedTab):
 
     def _fill(self, thing: Any) -> None:
         """Fill the fields; for a new one a place in front of the arm is proposed."""
-        if thing is None:  # where a plane was shown a box would stand around the base
+        if thing is None:  # not at the zeros of the base class: a box there would enclose the base
             self._name.clear()
             self.take_pose(_IN_FRONT)
         else:
@@ -211,7 +211,7 @@ class AreaTab(NamedTab):
             self._side.setText(self._forbidden(figures(self._fields)))
 
     def _forbidden(self, pose: Sequence[float]) -> str:
-        """Return on which side of a plane the arm may not be, by the nearest axis of the base."""
+        """Return the forbidden side of a plane in words, by the nearest axis of the base."""
         toward = [-row for row in pose_rows(pose)[2::4]]
         most = max(range(len(toward)), key=lambda place: abs(toward[place]))
         axis = f"{'+' if toward[most] > 0 else '−'}{EDGES[most]}"

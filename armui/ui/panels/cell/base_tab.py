@@ -1,4 +1,4 @@
-"""The tab of the base: where it stands in the room, and whether the arm was told so."""
+"""The tab of the base: its place in the room, and whether the arm was sent the mounting."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class BaseTab(CellTab):
         self._answered(self._controller.cell.change(cell))
 
     def _told(self) -> Mounting | None:
-        """Return the mounting that this program has told the arm last, or ``None``."""
+        """Return the mounting that was last sent to this arm, or ``None``."""
         now, identity = self._controller.operating_state, self._controller.state.identity
         if now.device is None or self.preferences is None:
             return None
@@ -85,7 +85,7 @@ class BaseTab(CellTab):
         return None if name is None else Mounting[name.upper()]
 
     def show_cell(self, why_not: str) -> None:
-        """Show where the base stands; what is typed stays while that is the same."""
+        """Show the place of the base; typed figures stay while the stored ones are the same."""
         self._why_not = why_not
         shown = (self._cell.placement,)
         if shown != self._shown:
@@ -95,7 +95,7 @@ class BaseTab(CellTab):
         self._show_news()
 
     def _show_news(self) -> None:
-        """Say what is to be done next, and light its button."""
+        """Show what is to be done next, and highlight its button."""
         nonsense = [field.is_nonsense() for field in self._fields]
         for field, wrong in zip(self._fields, nonsense, strict=True):
             field.show_attention(wanted=wrong)

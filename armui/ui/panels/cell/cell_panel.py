@@ -1,4 +1,4 @@
-"""单元: what is fixed to the arm and stands around it: chosen, confirmed, changed, exchanged."""
+"""单元: choosing, confirming, changing and exchanging cells: the arm's tools and surroundings."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ TABS: Final[tuple[type[CellTab], ...]] = (
 """The tabs from left to right."""
 _NARROW_PX: Final = 60
 _MOST_SHOWN: Final = 14
-"""The most differences that a question names."""
+"""The most differences named in a question."""
 
 _LABELS: Final = {
     "confirm": Text("CellPanel", "Confirm cell"),
@@ -86,9 +86,9 @@ _USES: Final = Texts("CellPanel") | {
 
 
 class CellPanel(Panel):
-    """The cell: chosen and confirmed; below it a tab for each part of it, and the jog buttons.
+    """The cell: its choice and confirmation, a tab for each part of it, and the jog buttons.
 
-    What is seldom done with cells is folded away while there is one.
+    Rarely needed actions on cells are folded away, unless there is no cell.
 
     Args:
         controller: The controller of the arm; it holds the cells.
@@ -203,11 +203,11 @@ class CellPanel(Panel):
         return {**shown, "cell.choose": self._choice, **tabs}
 
     def act_parts(self) -> Iterable[HasActs]:
-        """Return the tabs that were made."""
+        """Return the tabs that were created."""
         return self._tabs.values()
 
     def act_of(self, command: str) -> BoundAct | None:
-        """Return the act of a command; of one that is folded away the act that unfolds it."""
+        """Return the act of a command; if its button is folded away, the act that unfolds it."""
         targets = super().command_targets()
         folded = command in targets and self._is_folded(targets[command])
         return BoundAct(CellPanel.manage, self) if folded else super().act_of(command)
@@ -217,7 +217,7 @@ class CellPanel(Panel):
         return inside and self._managing.isHidden()
 
     def _tab(self) -> CellTab:
-        """Return the chosen tab; it is made when it is first wanted: all six would take 0.1 s."""
+        """Return the chosen tab, created at its first use: creating all six would take 0.1 s."""
         place = self._group.checkedId()
         if place not in self._tabs:
             tab = self._tabs[place] = TABS[place](self._controller, self._accepted)
@@ -226,7 +226,7 @@ class CellPanel(Panel):
         return self._tabs[place]
 
     def zone_target(self) -> AreaTab | None:
-        """Return the tab in which a plane or box of the work area is typed, while it is seen."""
+        """Return the tab of the work area if it is chosen, for drags in the picture."""
         tab = self._tabs.get(self._group.checkedId())
         return tab if isinstance(tab, AreaTab) else None
 
@@ -284,7 +284,7 @@ class CellPanel(Panel):
                 self._others.addAction(name).setData(name)
 
     def _on_compare(self, name: str) -> None:
-        """Show in what another cell of the list differs from the one in force."""
+        """Show the differences between another cell of the list and the one in force."""
         cells = self._controller.cell
         now, other = cells.cell, cells.cells.get(name)
         if now is None or other is None:
@@ -357,7 +357,7 @@ class CellPanel(Panel):
         )
 
     def _on_read(self, cell: Cell | Refusal) -> None:
-        """Show in what an imported cell differs from the one it replaces, or is compared with."""
+        """Ask before a cell is imported, with its differences from the one that it replaces."""
         if isinstance(cell, Refusal):
             self._accepted(cell)
             return
@@ -438,7 +438,7 @@ class CellPanel(Panel):
         enable_or_explain(self._choice, why_not, use)
 
     def _show_managing(self) -> None:
-        """Show what is done with cells while it is unfolded, or there is no cell to work on."""
+        """Show the rarely needed actions if they are unfolded, or if there is no cell."""
         self._managing.setVisible(self.manage.isChecked() or self._controller.cell.cell is None)
 
     @buttons.why_not
@@ -479,7 +479,7 @@ class CellPanel(Panel):
         return bool(self._name.text().strip())
 
     def _on_noticed(self, event: Event) -> None:
-        """Leave what went well to the status bar: the tab says what holds."""
+        """Do not repeat a success here: the status bar shows it, and the tab its result."""
         super()._on_noticed(event)
         if self._event is event and event.level is Level.INFO:
             self._event = None
@@ -504,7 +504,7 @@ class CellPanel(Panel):
 
 
 def _shown(value: object) -> str:
-    """Return a parameter's value for a list of differences."""
+    """Return a parameter's value as text for a list of differences; «—» for none."""
     if value is None or value == "":
         return fmt.NOTHING
     return f"{value:g}" if isinstance(value, float) else str(value)

@@ -34,9 +34,9 @@ Answered = Callable[[Started | Refusal | None], bool]
 
 
 NARROW_PX: Final = 56
+"""The least width of fields and buttons that share a row."""
 UNITS: Final = dict(zip(AXES, ("mm",) * LINEAR_AXES + ("°",) * LINEAR_AXES, strict=True))
 """The unit of each figure of a pose."""
-"""The least width of fields and buttons that share a row."""
 
 
 def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
@@ -45,7 +45,7 @@ def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
 
 
 def hint_label(name: str, lines: int = 2) -> QLabel:
-    """Return a label for the next step; what stands below it keeps its place."""
+    """Return a label for the next step; its height is fixed, so that nothing below it moves."""
     label = text_label(name, wraps=True)
     label.setMinimumHeight(lines * label.fontMetrics().lineSpacing())
     label.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -93,7 +93,7 @@ def pose_grid(fields: Sequence[FigureField]) -> QGridLayout:
 
 
 def figures(fields: Sequence[FigureField]) -> tuple[float, ...]:
-    """Return what is typed; an empty field counts as 0, a text as itself."""
+    """Return the figures as typed: 0 for an empty field, the text itself if it is no figure."""
     return tuple(
         field.text() if field.is_nonsense() else field.value or 0.0  # type: ignore[misc]  # refused
         for field in fields
@@ -139,7 +139,7 @@ class CellTab(HasActs, Translated, QWidget):
         return {name: cast("QWidget", self.findChild(QWidget, each)) for name, each in widgets}
 
     def _no_step(self) -> str:
-        """Return why nothing of the cell can be in force: there is none, or it is not confirmed."""
+        """Return why nothing in the cell takes effect: there is no cell, or it is not confirmed."""
         cells = self._controller.cell
         if cells.cell is None:
             return words.refusal(CELL_NONE())

@@ -69,12 +69,12 @@ class FrameByPoints(PointSearch):
         self._captured(keep)
 
     def restart(self) -> None:
-        """Forget the points."""
+        """Forget the points taken so far."""
         self._points = [None] * _POINTS
         self._show()
 
     def found(self) -> Pose | Refusal | None:
-        """Return the frame that the points give, or why they give none; ``None``: some miss."""
+        """Return the frame given by the points, or why there is none; ``None``: points miss."""
         points = [point for point in self._points if point is not None]
         if len(points) == _POINTS:
             return frame_from_points(*points)
@@ -84,16 +84,16 @@ class FrameByPoints(PointSearch):
     # -- appearance ---------------------------------------------------------------------------
 
     def show_chosen(self, chosen: Any, why_not: str) -> None:
-        """Show which frame the result can be put in the place of."""
+        """Show which frame the result can replace."""
         self._chosen, self._why_not = chosen, why_not
         tool = self._controller.cartesian.tool
-        # points taken with another tool give no frame together with new ones
+        # points taken with different tools together give no frame
         if tool != self._tool:
             self._tool, self._points = tool, [None] * _POINTS
         self._show()
 
     def show_live(self) -> None:
-        """Show how far the arm's present place is from the origin; called while it moves."""
+        """Show how far the arm's present place is from the origin or the X axis."""
         refusal = self._controller.cell.why_not_capture()
         use = self.tr("Takes the measured place of the tool; nothing moves.")
         for button in self._takes:
@@ -144,13 +144,13 @@ class FrameByPoints(PointSearch):
         self.show_live()
 
     def _propose(self, found: Pose | Refusal | None) -> None:
-        """Have the frame found shown in the picture until it is taken, or this is hidden."""
+        """Show the frame found in the picture, until it is applied or this widget is hidden."""
         shown = isinstance(found, tuple) and self.isVisible() and self._taken(found) is None
         pose = found if isinstance(found, tuple) else ()
         self._controller.cell.propose(UserFrame(self.tr("New frame"), pose) if shown else None)
 
     def _taken(self, found: Pose | Refusal | None) -> UserFrame | None:
-        """Return the frame of the cell that was made of what was found, or ``None``."""
+        """Return the frame of the cell whose pose is the one found, or ``None``."""
         cell = self._controller.cell.cell
         if cell is None or not isinstance(found, tuple):
             return None
@@ -200,12 +200,12 @@ class FrameByPoints(PointSearch):
         return steps[missing]()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Have the frame found shown in the picture again."""
+        """Show the frame found in the picture again."""
         super().showEvent(event)
         self._show()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Have it shown no longer."""
+        """Remove the frame found from the picture."""
         super().hideEvent(event)
         self._controller.cell.propose(None)
 

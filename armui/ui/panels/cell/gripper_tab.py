@@ -1,4 +1,4 @@
-"""The tab of the gripper table: what the arm is asked for, and what callipers measure."""
+"""The tab of the gripper table: commanded openings, and those measured with callipers."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row
 from armui.ui.words.text import Text
 
 _SHARES: Final = (0.1, 0.3, 0.5, 0.7, 0.9)
-"""The widths that are proposed, as parts of the stroke: away from its ends, where fingers press."""
+"""The proposed openings as shares of the stroke, away from its ends, where the fingers press."""
 _GENTLE_NM: Final = 1.0
+"""The torque while openings are measured: low, as hands and callipers are between the fingers."""
 
 
 class GripperTab(CellTab):
@@ -97,13 +98,13 @@ class GripperTab(CellTab):
     # -- actions ------------------------------------------------------------------------------
 
     def typed(self) -> Pairs:
-        """Return the pairs that have both figures, by what is asked for."""
+        """Return the complete pairs of a commanded and a measured opening, in mm, in order."""
         pairs = [(a.value, b.value) for a, b in zip(self._asked, self._measured, strict=True)]
         return tuple(sorted((a, b) for a, b in pairs if a is not None and b is not None))
 
     @property
     def _row(self) -> int | None:
-        """The first row with a width that is not measured yet."""
+        """The first row whose commanded opening has no measured one yet."""
         rows = enumerate(zip(self._asked, self._measured, strict=True))
         return next((n for n, (a, b) in rows if a.value is not None and b.value is None), None)
 
@@ -113,7 +114,7 @@ class GripperTab(CellTab):
 
     @widths.pressed
     def _on_widths(self) -> None:
-        """Propose widths over the stroke; what was measured is kept only by applying it."""
+        """Propose openings over the stroke; only measured pairs that are applied are kept."""
         widest = self._controller.gripper.own_figures.travel.maximum
         widths = [round(share * widest) for share in _SHARES]
         for place, (asked, measured) in enumerate(zip(self._asked, self._measured, strict=True)):
@@ -143,7 +144,7 @@ class GripperTab(CellTab):
     # -- appearance ---------------------------------------------------------------------------
 
     def show_cell(self, why_not: str) -> None:
-        """Show the table of the chosen cell; what is typed stays while that is the same."""
+        """Show the table of the chosen cell; typed figures stay while that is the same."""
         self._why_not = why_not
         self._controller.gripper.learn_stroke()
         shown = self._cell.name, self._cell.gripper_table
@@ -158,7 +159,7 @@ class GripperTab(CellTab):
         self._show_news()
 
     def show_state(self, _state: ArmState) -> None:
-        """Allow opening as soon as the gripper is heard."""
+        """Update whether opening is possible, when the gripper is first heard."""
         GripperTab.open_next.show(self)
 
     def _show_switch(self) -> None:
@@ -199,7 +200,7 @@ class GripperTab(CellTab):
         return self.typed() != self._cell.gripper_table
 
     def _show_news(self) -> None:
-        """Say what is to be done next, and light its button."""
+        """Show what is to be done next, and highlight its button."""
         for field in (*self._asked, *self._measured):
             field.show_attention(wanted=field.is_nonsense())
         self.show_acts()

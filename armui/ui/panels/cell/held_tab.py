@@ -1,4 +1,4 @@
-"""The tab of what the hand may hold: boxes and rods, and which of them it holds now."""
+"""The tab of objects that the hand may hold: boxes and rods, and which one it holds now."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from armui.ui.words.text import Text
 
 
 class HeldTab(NamedTab):
-    """What the hand may hold in the chosen cell; see :class:`NamedTab`."""
+    """The objects that the hand may hold in the chosen cell; see :class:`NamedTab`."""
 
     key = "held"
     part = "held"
@@ -92,7 +92,7 @@ class HeldTab(NamedTab):
 
     @property
     def _load_of(self) -> EndLoad:
-        """The load that the arm is proposed to be told."""
+        """The load of the held object, which the arm should be sent."""
         held = self._cell.held_object
         return EndLoad.EMPTY if held is None else held.load
 
@@ -128,7 +128,7 @@ class HeldTab(NamedTab):
     # -- appearance ---------------------------------------------------------------------------
 
     def show_cell(self, why_not: str) -> None:
-        """Show what the hand may hold in the chosen cell, and first what it holds."""
+        """Show the objects of the chosen cell; at first the held one is chosen."""
         if self._thing is None and not self._name.text():
             self._local = self._cell.held
         super().show_cell(why_not)
@@ -138,7 +138,7 @@ class HeldTab(NamedTab):
         return f"{thing.name}{now}"
 
     def _proposed(self) -> HeldObject:
-        """Return what is proposed for a new object: it is between the fingertips."""
+        """Return the proposal for a new object, placed between the fingertips."""
         model = self._controller.operating_state.model
         reach_mm = model_data(model).gripper.reach_mm
         return HeldObject("", (0.0, 0.0, reach_mm, 0.0, 0.0, 0.0))
@@ -200,7 +200,7 @@ class HeldTab(NamedTab):
         return not self._cell.held
 
     def _show_news(self) -> None:
-        """Say what is to be done next, and light its button."""
+        """Show what is to be done next, and highlight its button."""
         self._show_touched()
         super()._show_news()
         is_rod = bool(self._form.currentIndex())

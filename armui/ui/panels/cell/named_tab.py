@@ -53,7 +53,7 @@ ADDED: Final = Text(
     "“{name}” is added, and nothing else has changed. Choose it under “Type it” to put it "
     "in force.",
 )
-"""What is said of a tool or frame that was added, and is not in force."""
+"""The message after a tool or frame was added that is not in force."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,14 +61,14 @@ class TabTexts:
     """The words of a tab in the present language.
 
     Attributes:
-        kind: What one of its things is called.
-        choice: The list.
-        name: The name's field.
-        none: The entry for none of them.
-        missing: That none is chosen.
-        apply: What Apply does.
-        add: What each button that adds does.
-        delete: What Delete does.
+        kind: The name of one thing in its list.
+        choice: The label of the list.
+        name: The label of the field for the name.
+        none: The entry of the list for none.
+        missing: The sentence that none is chosen.
+        apply: The tooltip of Apply.
+        add: The tooltip of each button that adds.
+        delete: The tooltip of Delete.
     """
 
     kind: str
@@ -82,7 +82,7 @@ class TabTexts:
 
 
 class NamedTab(CellTab):
-    """A list, one chosen, its name and figures, and perhaps a guided search by points.
+    """A list of things, fields for the name and figures of the chosen one, and perhaps a search.
 
     Args:
         controller: The controller of the arm; changes go through its `cell`.
@@ -93,20 +93,20 @@ class NamedTab(CellTab):
     part: ClassVar[str]
     """The part of the widgets' and commands' names: ``tool``, ``frame``, ``area`` or ``held``."""
     listed: ClassVar[str] = ""
-    """The name of the list's widget where it differs from that."""
+    """The name of the list's widget, if it differs from `part`."""
     kind: ClassVar[type[Any]]
-    """The kind of the things."""
+    """The class of the things in the list."""
     adds: ClassVar[Sequence[str]] = ("add",)
-    """The buttons that add one."""
+    """The keys of the buttons that add a thing."""
     changes: ClassVar[ActFamily[str]]
-    """Apply, the buttons that add one, and Delete."""
+    """The buttons Apply, those that add a thing, and Delete."""
 
     @classmethod
     def changes_of(cls, part: str, **titles: Text) -> ActFamily[str]:
         """Return the buttons that change the things of a tab.
 
         Args:
-            part: As of the tab.
+            part: The `part` of the tab.
             titles: Their titles in the palette.
         """
         acts = {
@@ -157,7 +157,7 @@ class NamedTab(CellTab):
         self._name.textEdited.connect(lambda _text: self._show_news())
 
     def _figure(self, name: str, decimals: int, unit: str = "") -> FigureField:
-        """Return a field for a figure of the thing."""
+        """Return a field for a figure of the thing, named after it."""
         field = named(f"cell_{self.part}_{name}", FigureField(decimals, unit))
         field.textEdited.connect(lambda _text: self._show_news())
         self._figures.append(field)
@@ -173,10 +173,10 @@ class NamedTab(CellTab):
         """Lay out the tab.
 
         Args:
-            rows: What else has a label, below the name: its field, and what stands beside that.
-            beside: What stands beside the list, and beside the name.
-            below: What stands below the figures.
-            last: What stands below the buttons.
+            rows: Further labels with their fields and the widgets beside these.
+            beside: The widgets beside the list, and beside the name.
+            below: The widgets below the figures.
+            last: The widgets below the buttons.
         """
         grid = empty_grid(gaps=(8, 6), margins=0)
         first = (
@@ -216,14 +216,14 @@ class NamedTab(CellTab):
         ways = in_row(*((button, 1) for button in self._way.buttons()), spacing=6)
         in_column(ways, self._ways, on=self, spacing=8, margins=0)
 
-    # What is of one kind alone ---------------------------------------------------------------
+    # What a subclass defines -----------------------------------------------------------------
 
     def _texts(self) -> TabTexts:
         """Return the words of the tab."""
         raise NotImplementedError
 
     def typed(self) -> Any:
-        """Return what is typed; an empty field counts as 0, a text as itself."""
+        """Return the thing as typed; an empty field counts as 0, an invalid one as its text."""
         raise NotImplementedError
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
@@ -235,36 +235,36 @@ class NamedTab(CellTab):
 
     @property
     def _chosen(self) -> str:
-        """The name of the chosen one; "" for none."""
+        """The name of the chosen thing; "" for none."""
         return self._local
 
     def _choose(self, name: str) -> None:
-        """Choose another one to look at; "" for none."""
+        """Choose another thing to be shown; "" for none."""
         self._local = name
         self.show_cell(self._why_not)
 
     def _put(self, thing: Any, instead_of: str = "") -> Cell:
-        """Return the cell with a further one, or with one in the place of another."""
+        """Return the cell with a thing added, or put in the place of another one."""
         return with_part(self._cell, thing, instead_of=instead_of)
 
     def _without(self, name: str) -> Cell:
-        """Return the cell without one."""
+        """Return the cell without the thing of a name."""
         return without_part(self._cell, self.kind, name)
 
     def _entry(self, thing: Thing) -> str:
-        """Return how the list names one."""
+        """Return the entry of a thing in the list."""
         return thing.name
 
     def _proposed(self) -> Thing | None:
-        """Return what the fields show while none is chosen; ``None`` empties them."""
+        """Return what the fields show while no thing is chosen; ``None`` empties them."""
         return None
 
     def _fixed(self) -> str:
-        """Return why the chosen one can be neither changed nor deleted; empty if it can."""
+        """Return why the chosen thing can be neither changed nor deleted; empty if it can."""
         return ""
 
     def _is_changed(self, typed: Thing) -> bool:
-        """Return whether Apply has something to do."""
+        """Return whether the typed thing differs from the chosen one, so that Apply is useful."""
         return self._thing is not None and typed != self._thing
 
     # Actions ---------------------------------------------------------------------------------
@@ -304,7 +304,7 @@ class NamedTab(CellTab):
         self.show_state(self._controller.state)
 
     def take_tool_pose(self) -> None:
-        """Fill in the tool's pose; a plane's allowed side is behind the tool."""
+        """Fill in the tool's pose; for a plane, the allowed side is then behind the tool."""
         pose = self._controller.cartesian.tool_pose(self._controller.state)
         if pose is not None:
             self.take_pose(pose)
@@ -315,7 +315,7 @@ class NamedTab(CellTab):
         return "" if known else self.tr("The arm has not reported its pose yet.")
 
     def take_pose(self, pose: Sequence[float]) -> None:
-        """Fill in a pose; it is applied by a press."""
+        """Fill in a pose; it takes effect when the operator applies it."""
         for field, value in zip(self._fields, pose, strict=True):
             field.show_value(value)
         self._show_news()
@@ -325,7 +325,7 @@ class NamedTab(CellTab):
 
         Args:
             pose: Six figures.
-            anew: True for a new one though one is chosen.
+            anew: True to add a new one, even if one is chosen.
         """
         rounded = tuple(round(each, fmt.DECIMALS) for each in pose)
         chosen = self._thing
@@ -340,7 +340,7 @@ class NamedTab(CellTab):
     # Appearance ------------------------------------------------------------------------------
 
     def show_cell(self, why_not: str) -> None:
-        """Show the chosen cell; what is typed stays while the same one is chosen."""
+        """Show the chosen cell; typed figures stay while the same thing is chosen."""
         self._why_not = why_not
         self._choice.clear()
         self._choice.addItem(self._texts().none, "")
@@ -368,13 +368,13 @@ class NamedTab(CellTab):
             field.show_value(value)
 
     def show_state(self, _state: ArmState) -> None:
-        """Show what the present pose would tell in the search."""
+        """Show in the search what the arm's present pose would result in."""
         if self._search is not None and self._search.isVisible():
             self._search.drop_others()
             self._search.show_live()
 
     def _show_news(self) -> None:
-        """Say what is to be done next, light its button, and say why the others have no use."""
+        """Show what is to be done next, highlight its button, and explain disabled ones."""
         for field in self._figures:
             field.show_attention(wanted=field.is_nonsense())
         self.show_acts()
@@ -383,11 +383,11 @@ class NamedTab(CellTab):
         self._next.setText(self._no_step() or self._guidance(new=new, changed=changed))
 
     def _guidance(self, *, new: bool, changed: bool) -> str:
-        """Return what is said of the next step."""
+        """Return the sentence about the next step, when the cell is in force."""
         return self._next_step(new=new, changed=changed)
 
     def _is_new(self, typed: Thing) -> bool:
-        """Return whether the name typed is that of none yet."""
+        """Return whether the typed name is not used yet."""
         names = {thing.name.casefold() for thing in self._things}
         return bool(typed.name) and typed.name.casefold() not in names
 
@@ -414,19 +414,19 @@ class NamedTab(CellTab):
         return adds.get(act) or (texts.apply if act == "apply" else texts.delete)
 
     def _is_wanted(self, act: str) -> bool:
-        """Return whether a button is the next one: the only one that adds, or else Apply."""
+        """Return whether to highlight a button: the only one that adds, or else Apply."""
         if act in {"delete", "restore"} or not self.changes[act].isEnabled():
             return False
         return not self._is_new(self.typed()) if act == "apply" else len(self.adds) == 1
 
     def _is_there(self, act: str) -> bool:
-        """Return whether to show a button: what was deleted last can be restored in its place."""
+        """Return whether to show a button: Restore replaces Delete right after a deletion."""
         deleted = self._deleted
         undoable = self._thing is None and deleted is not None and self._cell == deleted[1]
         return undoable if act == "restore" else not undoable or act != "delete"
 
     def heading(self) -> str:
-        """Return what one of the things is called."""
+        """Return the name of one of the things, for a screen reader."""
         return self._texts().kind
 
     def retranslate_ui(self) -> None:
@@ -447,13 +447,14 @@ class NamedTab(CellTab):
 
 
 class ForceTab(NamedTab):
-    """A list of which the one that is chosen is in force: of tools, of user frames.
+    """A list whose chosen thing is in force: tools or user frames.
 
-    A new one is not, as figures everywhere, and what moves, would jump: it is said how it gets so.
+    A new one is not chosen by itself: displayed figures and moves would jump. A message says how
+    to.
     """
 
     _added = ""
-    """The name of the one that was added last, and is not in force."""
+    """The name of the thing that was added last, if it is not in force."""
 
     @property
     def _things(self) -> Sequence[Thing]:
@@ -496,6 +497,6 @@ class ForceTab(NamedTab):
         self._choice.setEnabled(self._choice.isEnabled() and not why_not)
 
     def _name_ways(self, typed: str, by_points: str) -> None:
-        """Name the two ways to a pose."""
+        """Set the texts of the two ways to enter a pose."""
         for button, text in zip(self._way.buttons(), (typed, by_points), strict=True):
             caption(button, text)

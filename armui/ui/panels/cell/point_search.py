@@ -21,16 +21,16 @@ Pose = tuple[float, ...]
 
 
 class PointSearch(Translated, QWidget):
-    """Takes poses of the arm at rest, and shows what they tell; nothing is applied by itself.
+    """Takes poses of the arm at rest, and shows what they give; nothing is applied by itself.
 
     Args:
         controller: The controller; its `cell` takes measured poses.
         answered: Shows an answer in the panel.
-        name: How the names of its widgets begin.
+        name: The prefix of the names of its widgets.
 
     Signals:
-        applied: The pose that was found, six figures, as the operator has pressed; true for a new
-            thing, false for the chosen one.
+        applied: The operator applies the pose found, six figures; true for a new thing, false for
+            the chosen one.
     """
 
     applied = Signal(object, bool)
@@ -52,15 +52,15 @@ class PointSearch(Translated, QWidget):
         self._restart.clicked.connect(self.restart)
 
     def found(self) -> Pose | Refusal | None:
-        """Return the pose that the points tell, or why they tell none; ``None``: some miss."""
+        """Return the pose given by the points, or why there is none; ``None``: points miss."""
         raise NotImplementedError
 
     def restart(self) -> None:
-        """Forget the points."""
+        """Forget the points taken so far."""
         raise NotImplementedError
 
     def drop_others(self) -> bool:
-        """Drop the points of an arm that may be another one by now; return whether that was so."""
+        """Drop the points if another arm may be connected now; return whether they were."""
         arms, self._arms = self._arms, self._controller.cell.arms
         if arms == self._arms or not self._restart.isEnabled():
             return False
@@ -69,7 +69,7 @@ class PointSearch(Translated, QWidget):
         return True
 
     def show_chosen(self, chosen: Any, why_not: str) -> None:
-        """Show which tool or frame the result can be put in the place of.
+        """Show which tool or frame the result can replace.
 
         Args:
             chosen: The chosen one; ``None`` if there is none.
@@ -78,11 +78,11 @@ class PointSearch(Translated, QWidget):
         raise NotImplementedError
 
     def show_live(self) -> None:
-        """Show what the arm's present pose would tell; called while it moves."""
+        """Show what the arm's present pose would result in; called while it moves."""
         raise NotImplementedError
 
     def _why_no_pose(self, refusal: Refusal) -> str:
-        """Return why no pose can be taken, but for what the next step says already."""
+        """Return why no pose can be taken; "" if the line of the next step says it already."""
         return "" if refusal.reason == CELL_NONE else words.refusal(refusal)
 
     def _show(self) -> None:

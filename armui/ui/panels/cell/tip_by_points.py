@@ -112,32 +112,32 @@ class TipByPoints(PointSearch):
         self._show()
 
     def restart(self) -> None:
-        """Forget the poses."""
+        """Forget the poses taken so far."""
         self._poses.clear()
         self._turn_poses = [None, None]
         for used, _residual, _again in self._rows:
             used.setChecked(True)
         self._show()
 
-    # -- what they tell -----------------------------------------------------------------------
+    # -- results ------------------------------------------------------------------------------
 
     @property
     def _used(self) -> list[int]:
         return [place for place in range(len(self._poses)) if self._rows[place][0].isChecked()]
 
     def fit(self) -> TipFit | Refusal:
-        """Return the tip that the poses in use tell, or why there are too few."""
+        """Return the tip given by the poses in use, or why they are too few."""
         return find_tip([self._poses[place] for place in self._used])
 
     def found(self) -> Pose | Refusal:
-        """Return the pose of the tool that may be applied, or why none may."""
+        """Return the pose of the tool that may be applied, or why there is none."""
         fit = self.fit()
         if isinstance(fit, Refusal):
             return fit
         refusal = fit.refusal(self._limit.value or DEFAULT_LIMIT_MM)
         if refusal is not None:
             figure = refusal.params.get("pose")
-            # the fit counts only the poses in use, while the operator sees the numbers of all
+            # the fit numbers only the poses in use, but the operator sees the numbers of all
             if isinstance(figure, int):
                 pose = self._used[figure - 1] + 1
                 return Refusal(refusal.reason, {**refusal.params, "pose": pose})
@@ -266,7 +266,7 @@ class TipByPoints(PointSearch):
         return tuple(round(each, fmt.DECIMALS) for each in found) == self._before
 
     def _which_turn(self, poses: list[Pose]) -> str:
-        """Say which way to turn next: about the two other axes than the one that differs least."""
+        """Say how to turn next: about the two axes other than the one that was tilted least."""
         if len(poses) == 1:
             text = self.tr("Tilt the tool by {wanted}° or more, touch the point, take the pose.")
             return text.format(wanted=round(WANTED_DEG))

@@ -48,7 +48,7 @@ class ToolsTab(ForceTab):
         return Tool(self._name.text().strip(), figures(self._fields), *figures([self._radius]))
 
     def _take_found(self, pose: tuple[float, ...], anew: bool) -> None:
-        """Put a tip that was found in force, as the button says."""
+        """Put the tip found in force as well, as the button's text says."""
         super()._take_found(pose, anew)
         if self._added:
             self._choose(self._added)

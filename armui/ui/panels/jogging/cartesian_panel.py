@@ -106,7 +106,7 @@ class PoseRow(TargetRow):
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         if self.minus.continuous:
             tip = self.tr("Moves along {axis} while it is held; let go to stop.")
         else:
@@ -244,7 +244,7 @@ class CartesianPanel(JogPanel):
     def _lay_out(self) -> None:
         card = QFrame()
         self._extras = PoseExtras(self._arc, self._tool)
-        self._keys.toggled.connect(self._extras.setHidden)  # the keys need the room
+        self._keys.toggled.connect(self._extras.setHidden)  # with both the panel would be too high
         head = in_row(self._point, (self._shown_frame, 1), spacing=8)
         rows = in_column(head, *self._rows, spacing=4)
         parts = (rows, self._extras, STRETCH)
@@ -337,11 +337,11 @@ class CartesianPanel(JogPanel):
         self._list_frames()
 
     def _pose(self) -> tuple[float, ...] | None:
-        """Return the measured pose of the tool in the base."""
+        """Return the measured pose of the tool in the base, or ``None``."""
         return self._controller.cartesian.tool_pose(self._controller.state)
 
     def _shown_pose(self) -> tuple[float, ...] | None:
-        """Return it in the frame in which figures are shown and typed."""
+        """Return the measured pose of the tool in the frame of the fields, or ``None``."""
         pose = self._pose()
         return None if pose is None else self._controller.cartesian.in_frame(pose)
 
@@ -367,7 +367,7 @@ class CartesianPanel(JogPanel):
             self._release()
 
     def _on_repeated(self, place: int, direction: int) -> None:
-        """Jog by another step once the arm stands: MOVE L plans anew at each target."""
+        """Jog by another step only when the arm is at rest: MOVE L plans anew at each target."""
         if not self._operating_state.moving:
             self._on_stepped(place, direction)
 
@@ -412,7 +412,7 @@ class CartesianPanel(JogPanel):
         self.show_acts()
 
     def _forget_outdated(self, old: OperatingState) -> None:
-        """Let the fields follow the arm again once it has driven to the pose that was sent."""
+        """Let the fields follow the arm again when its motion to the sent pose has ended."""
         super()._forget_outdated(old)
         if self._sent and old.moving and not self._operating_state.moving:
             self._sent = False
@@ -449,18 +449,18 @@ class CartesianPanel(JogPanel):
             self._heard = pose is not None
             self._show_possible()
         CartesianPanel.move_p.show(self)
-        self._arc.show_acts()  # a pose is taken at rest
+        self._arc.show_acts()  # its buttons need an arm at rest
 
     @move_p.lit
     def _is_elsewhere(self) -> bool:
-        """Return true while a target was given that the arm is not at, and may reach."""
+        """Return true while a target was entered that the arm is not at, and may reach."""
         pose, typed = self._shown_pose(), self.typed()
         if pose is None or typed is None or typed == self._unreachable:
             return False
         return self._differ_from(pose) and self._may_work()
 
     def note_unreachable(self, pose: tuple[float, ...] | None) -> None:
-        """Note the target that is known to be out of reach, or that none is."""
+        """Note a target that is known to be out of reach, or ``None``."""
         if pose != self._unreachable:
             self._unreachable = pose
             CartesianPanel.move_p.show(self)
@@ -502,7 +502,7 @@ class CartesianPanel(JogPanel):
         return None
 
     def _nonsense(self) -> Refusal | None:
-        """Return what is to be said against the first text that is no figure."""
+        """Return the refusal of the first text that is no figure, or ``None``."""
         for row in self._rows:
             if row.field.is_nonsense():
                 params = {"axis": row.name, "value": row.field.text()}
@@ -510,7 +510,7 @@ class CartesianPanel(JogPanel):
         return None
 
     def _name_point(self) -> None:
-        """Say which point the figures are about."""
+        """Name the point whose pose is shown: the flange or the tool centre point."""
         with_tool = any(self._controller.cartesian.tool)
         text = self.tr("Tool centre point") if with_tool else self.tr("Flange (no tool set)")
         name = self._controller.cell.tool_name

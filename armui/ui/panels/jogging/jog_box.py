@@ -88,7 +88,7 @@ class JogCell(JogRow):
         self.retranslate_ui()
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
-        """Show what is measured."""
+        """Show the measured value; muted if it is stale."""
         self.measured.show_text(fmt.with_unit(value, self._unit), stale=stale)
 
     def retranslate_ui(self) -> None:
@@ -273,11 +273,11 @@ class JogBox(Translated, QFrame):
         self._show_measured()
 
     def _name_frame(self) -> None:
-        """Name the user frame in force, whose figures stand in the cells."""
+        """Show the name of the user frame in force, in which the cells show their figures."""
         frame = self._controller.cartesian.frame
         none = words.refusal(FRAME_NOT_IN_FORCE()) if frame is None else ""
         enable_or_explain(self._choices[JogKind.USER], none, "" if frame is None else frame.name)
-        # a cell that is still to be confirmed counts, too, so that no button moves when it is
+        # include a cell that is not confirmed yet, so that no button moves when it is confirmed
         cell = self._controller.cell.cell
         has_frames = cell is not None and bool(cell.all_frames)
         self._choices[JogKind.USER].setVisible(has_frames or self.kind is JogKind.USER)
@@ -287,7 +287,7 @@ class JogBox(Translated, QFrame):
         elif self.kind is JogKind.TOOL:
             text = in_base
         self._frame.setText(text)
-        # the room stays when the text goes, so that no button moves
+        # keep the width when the text is shorter, so that no button moves
         widest_px = max(map(self._frame.fontMetrics().horizontalAdvance, (text, in_base)))
         self._frame.setMinimumWidth(max(self._frame.minimumWidth(), widest_px))
 
@@ -320,7 +320,7 @@ class JogBox(Translated, QFrame):
         self._show_speed()
 
     def _show_speed(self) -> None:
-        """Show how fast a held jog goes; a step goes by the percentage of the arm's own speed."""
+        """Show the speed of a held jog; a step has the percentage of the arm's own speed."""
         of_joints = self.kind is JogKind.JOINTS
         percent = f"{round(self._controller.operating_state.speed_percent)} %"
         held = self._steps.continuous and self.kind is not JogKind.GRIPPER

@@ -36,13 +36,14 @@ from armui.ui.widgets.translated import Translated
 
 _BUTTON_PX: Final = 38
 _SEND_PX: Final = 110
-"""The width of a button that sends."""
+"""The width of the buttons that send targets."""
 _FOLLOW_S: Final = 0.1
+"""The least time between two updates of fields that follow a moving arm."""
 DEAD_MAN_KEY: Final = Qt.Key.Key_Space
 """A key under the thumb of either hand, no letter, and none of the keys that stop the arm."""
 
 Keys = Sequence[tuple[str, str, str]]
-"""For each index in order: the name, the key for + and the key for −, as on the keyboard."""
+"""For each index: its name, the key for +, and the key for −, as printed on the keyboard."""
 
 _KEYS: Final = {
     "↑": Qt.Key.Key_Up,
@@ -58,7 +59,7 @@ _CONTINUOUS: Final = 0.0
 _SAME: Final = 0.0005
 """Half of the last decimal: a smaller difference is invisible in a field."""
 _WRITTEN_ALIKE: Final = 0.0006
-"""Two figures that are displayed alike are equal, however they were rounded."""
+"""Figures that are displayed alike differ by less than this, whichever way they were rounded."""
 
 
 class JogRow(Translated, QWidget):
@@ -104,7 +105,7 @@ class JogRow(Translated, QWidget):
             enable_or_explain(button, why_not, tip)
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         return "", ""
 
 
@@ -153,7 +154,7 @@ class TargetRow(JogRow):
         self._after_target()
 
     def take_target(self, value: float) -> None:
-        """Set a target; if it equals the present one, the field goes on following the arm."""
+        """Set a target; if it equals the present one, the field still follows the arm."""
         before = self.field.value
         if before is None or abs(value - before) > _SAME:
             self.show_target(value)
@@ -185,13 +186,13 @@ class TargetRow(JogRow):
         self._own_before = self.own
 
     def _on_field_restored(self) -> None:
-        """Follow the arm again, if the figure before the entry did."""
+        """After Escape: follow the arm again if the field did so before the entry."""
         self.own = self._own_before
         self._after_target()
         self.edited.emit()
 
     def _after_target(self) -> None:
-        """Mark a text that is no figure."""
+        """Mark the field if its text is no figure."""
         self.field.show_attention(wanted=self.field.is_nonsense())
 
 
@@ -384,7 +385,7 @@ def _key(text: str) -> int:
 
 
 def held_speed(controller: ArmController, *, of_joints: bool) -> str:
-    """Return how fast a held jog goes at the present speed, as text."""
+    """Return the speed of a held jog at the present percentage, as text."""
     pace = controller.jogging.present_pace()
     if of_joints:
         return f"{fmt.number(max(pace.speeds_deg_s), 1)}°/s"
@@ -456,13 +457,13 @@ class JogPanel(Panel):
         *,
         above: Sequence[QWidget] = (),
     ) -> None:
-        """Lay the panel out around its card, and listen; the last step but the words.
+        """Lay the panel out around its card, and connect it; `retranslate_ui` is called after this.
 
         Args:
             card: Holds the rows.
             buttons: Those below it, from left to right.
-            sends: What the panel is for: the buttons that send the targets, at the right.
-            above: What stands between the title and the card.
+            sends: The buttons that send the targets, at the right.
+            above: The widgets between the title and the card.
         """
         head = in_row(self._title, STRETCH, *(self._keys, self._step_label, self._step_box))
         for other in buttons:
@@ -487,7 +488,7 @@ class JogPanel(Panel):
         self._listen()
 
     def show_measured_figures(self, *, wanted: bool) -> None:
-        """Show the measured values beside the targets, or not: the picture has them, too."""
+        """Show or hide the measured values beside the targets: the picture shows them, too."""
         if wanted != self._with_measured:
             self._with_measured = wanted
             for row in self._rows:
@@ -530,16 +531,16 @@ class JogPanel(Panel):
             row.show_target(value)
 
     def _may_work(self) -> bool:
-        """Return whether nothing is known against the targets in the fields."""
+        """Return whether no reason against the targets in the fields is known."""
         refused = self._refusal is not None and self.targets() == self._tried
         return not refused and self._first_wrong() is None
 
     def _differ_from(self, values: Sequence[float]) -> bool:
-        """Return whether a target was given that is none of these."""
+        """Return whether a target was entered that differs from its value here."""
         return any(row.differs_from(value) for row, value in zip(self._rows, values, strict=True))
 
     def _follow(self, values: Sequence[float]) -> None:
-        """Show figures in the fields in which no target was given."""
+        """Show these figures in the fields in which no target was entered."""
         for row, value in zip(self._rows, values, strict=True):
             row.follow(value)
 
@@ -562,26 +563,26 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _first_wrong(self) -> Refusal | None:
-        """Return what is to be said against the targets as they stand in the fields."""
+        """Return the reason against the targets in the fields, or ``None``."""
         raise NotImplementedError
 
     def _follow_now_and_then(self, state: ArmState) -> None:
-        """Follow a moving arm no faster than fields can be read; painting them costs the most."""
+        """Follow a moving arm ten times a second at most: painting the fields is slow."""
         at_s = state.last_feedback_s or 0.0
         if not 0.0 < at_s - self._followed_s < _FOLLOW_S:
             self._followed_s = at_s
             self._follow_arm()
 
     def _follow_arm(self) -> None:
-        """Show in the fields in which no target was given where the arm is."""
+        """Show the arm's place in the fields in which no target was entered."""
         raise NotImplementedError
 
     def _forget_targets(self) -> None:
-        """Drop all targets: the arm is another one, or has new zero points."""
+        """Clear all targets, because another arm is connected, or its zero points have changed."""
         raise NotImplementedError
 
     def _show_possible(self) -> None:
-        """Enable what can be used now; say in the tooltips of the rest why not."""
+        """Enable what can be used now; the tooltips of the rest give the reasons."""
         raise NotImplementedError
 
     # -- jogging ------------------------------------------------------------------------------
@@ -618,7 +619,7 @@ class JogPanel(Panel):
         move: Callable[[float], Started | Refusal],
         then: Callable[[], object] = lambda: None,
     ) -> None:
-        """Send a single motion, see :func:`drive`, and do the rest once it is sent."""
+        """Send a single motion by :func:`drive`; ``then`` is called once it is sent."""
 
         def answered(answer: Started | Refusal) -> None:
             if self._accepted(answer):
@@ -627,11 +628,11 @@ class JogPanel(Panel):
         drive(self, self._controller, move, answered, self._given_figures)
 
     def _given_figures(self) -> list[object]:
-        """Return what the operator has given for a motion: the targets, and what a panel adds."""
+        """Return all entries for a motion: the targets, and further ones of a subclass."""
         return [row.field.value if row.own else None for row in self._rows]
 
     def _on_noticed(self, event: Event) -> None:
-        """Say why a jog has ended or a motion was not sent; drop all targets after a new zero."""
+        """Show why a jog has ended or a motion was refused; clear all targets after a new zero."""
         reason = event.params.get("reason")
         late = event.notice == REFUSED and self._begun and self._begun.ending is Ending.REFUSED
         if (late or event.notice == JOG_ENDED) and isinstance(reason, Refusal) and self.isVisible():
@@ -639,7 +640,7 @@ class JogPanel(Panel):
                 self.take_targets(*self._untaken)
             self._accepted(reason)
         elif event.notice in ZEROING_ENDED:
-            # the same figures are another place by the new zero
+            # with the new zero the same figures are another place
             self._forget_targets()
             self._show_message()
 
@@ -647,14 +648,14 @@ class JogPanel(Panel):
 
     def _forget_outdated(self, old: OperatingState) -> None:
         if old.device != self._operating_state.device:
-            # another arm: targets made for the last one would be a trap
+            # another arm: targets that were entered for the last one must not be sent to it
             self._forget_targets()
         now = self._operating_state
         if (old.cannot_move, not old.outside) != (now.cannot_move, not now.outside):
             self._refusal = None
 
     def _allow_jog(self) -> str:
-        """Enable all that jogs, or disable it; returns why nothing can be moved."""
+        """Enable all that jogs, or disable it; return why nothing can be moved."""
         why_not = words.why_not(self._operating_state.cannot_move)
         for row in self._rows:
             row.allow_jog(why_not)

@@ -132,7 +132,7 @@ class JointRow(TargetRow):
         self.retranslate_ui()
 
     def _tips(self) -> tuple[str, str]:
-        """Return what − and + do."""
+        """Return the tooltips of − and +."""
         if self.minus.continuous:
             hold = self.tr("Moves joint {joint} while it is held; let go to stop.")
             tips = (hold, hold)
@@ -170,7 +170,7 @@ class JointRow(TargetRow):
 
 
 class MotionPanel(JogPanel):
-    """Targets, with limits and measured angles on the sliders, and what is in the way of moving.
+    """Targets, with limits and measured angles on the sliders, and the reason against moving.
 
     The fields follow the arm until the operator types something else, so that sending them moves
     only the joints that were changed. 发送 is highlighted while there is something to send.
@@ -304,14 +304,14 @@ class MotionPanel(JogPanel):
         self._follow_arm()
 
     def _release(self, *joints: int) -> None:
-        """Let the fields of these joints follow the arm, so that Send doesn't take them back."""
+        """Let the fields of these joints follow the arm, so that Send does not move them back."""
         self._event = None
         for joint in joints:
             self._rows[joint - 1].own = False
         self._follow_arm()
 
     def _follow_device(self) -> None:
-        """Let the fields of joints follow that a gamepad turns."""
+        """Let the fields follow the joints that a gamepad moves."""
         jog = self._controller.jogging.steered
         if jog is not None and not jog.frame:
             for joint in _moving(jog.rates):
@@ -327,7 +327,7 @@ class MotionPanel(JogPanel):
 
     @load.pressed
     def _on_load(self) -> None:
-        """Drop the targets typed: the fields follow the arm, and nothing is to be sent."""
+        """Drop the typed targets: the fields follow the arm, and there is nothing to send."""
         self._release(*JOINTS)
         self._accepted(None if self._angles_deg() is not None else JOINTS_UNKNOWN())
 
@@ -373,7 +373,7 @@ class MotionPanel(JogPanel):
             row.show_measured(angle_deg, stale=is_stale(heard, state, self._operating_state))
 
     def _follow_arm(self) -> None:
-        """Show the arm's setpoint, or else its angles, in the fields in which nothing was typed."""
+        """Show the arm's setpoint, or else its angles, in the fields without a typed target."""
         angles_deg = self._angles_deg()
         if angles_deg is not None:
             self._follow(angles_deg)
@@ -389,7 +389,7 @@ class MotionPanel(JogPanel):
 
     @send.lit
     def _is_elsewhere(self) -> bool:
-        """Return true while a target was given that the arm is not at, and may reach."""
+        """Return true while a target was entered that the arm is not at, and may reach."""
         angles_deg = self._angles_deg() or (math.inf,) * len(JOINTS)
         return self._differ_from(angles_deg) and self._may_work()
 
@@ -418,8 +418,7 @@ class MotionPanel(JogPanel):
         for row in self._rows:
             if row.field.is_nonsense():
                 return self._why_no_figure(row)
-            # a field that follows the arm may be beyond a limit as the arm itself is, which another
-            # line tells
+            # a field that follows the arm may exceed a limit: another line reports that
             beyond = row.beyond_limits() if row.own else None
             if beyond is not None:
                 return beyond

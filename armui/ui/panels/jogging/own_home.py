@@ -109,7 +109,7 @@ class OwnHome(HasActs, Translated, QWidget):
 
     @property
     def _node(self) -> str:
-        """The arm's own number; "": it tells none, as none of generation 1 does."""
+        """The number that the arm reports of itself; "" if it reports none, as in generation 1."""
         identity = self._controller.state.identity
         return "" if identity is None else identity.node_number
 
@@ -177,7 +177,7 @@ class OwnHome(HasActs, Translated, QWidget):
         enable_or_explain(self._set, why_taken("motion.set_own_home"), use)
 
     def _doubt(self) -> str:
-        """Return a warning if another arm at this adapter would be taken for this one, else ""."""
+        """Return a warning if other arms at this adapter cannot be told from this one, else ""."""
         if self._arm is None or self._node:
             return ""
         return self.tr(

@@ -257,7 +257,7 @@ class PoseExtras(Translated, QWidget):
 
     @property
     def buttons(self) -> list[QAbstractButton]:
-        """The two buttons."""
+        """The buttons for the arc and the tool, in this order."""
         return self._group.buttons()
 
     def retranslate_ui(self) -> None:

@@ -135,8 +135,7 @@ class MountingCard(HasActs, QFrame):
         node = "" if identity is None else identity.node_number
         arm = None if device is None else device.arm_key(node)
         if arm is not None and identity is not None and not node:
-            # an identity without a number may be an incomplete answer to another host: the arm is
-            # the same
+            # an identity without a number may be a partial answer to another host: keep the arm
             arm = self._arm or arm
         if arm != self._arm:
             self._arm = arm
@@ -145,7 +144,7 @@ class MountingCard(HasActs, QFrame):
 
     @property
     def _kept(self) -> Mounting | None:
-        """The mounting that this program has sent to this arm last, or ``None``."""
+        """The mounting that was last sent to this arm by this program, or ``None``."""
         kept = self._preferences.settings.mountings.get(self._arm or "")
         return next((each for each, name in _CHOICES.items() if name == kept), None)
 
@@ -344,7 +343,7 @@ class EndLoadPanel(Panel):
 
     @send.lit
     def _is_new(self) -> bool:
-        """Return true while there is a load to tell."""
+        """Return true while there is a load to be sent."""
         return self._loads.checkedId() not in {-1, self._sent}
 
     def _on_mounting(self) -> None:

@@ -28,11 +28,11 @@ _COLUMNS: Final = ("max_angle_deg", "min_angle_deg", "max_speed_deg_s", "max_acc
 
 _ENDS: Final = ("min_angle_deg", "max_angle_deg")
 _AT_LIMIT_DEG: Final = 0.5
-"""A joint that stands this near beyond a limit stands at it: what is measured wavers."""
+"""A joint this close beyond a limit counts as within it, because measured angles fluctuate."""
 
 
 class JointSettingsPanel(ParameterPanel):
-    """Four limits of six joints; the Tab key goes down the columns."""
+    """Four limits of six joints; the Tab key moves down the columns."""
 
     buttons = ParameterPanel.buttons_of("joint_settings", ArmSettings.reset_joint_limits)
 
@@ -75,7 +75,7 @@ class JointSettingsPanel(ParameterPanel):
         )
 
     def danger_of_saving(self) -> str:
-        """Return the dangers of saving; that a joint would stand beyond its limits is one."""
+        """Return the dangers of saving, such as a joint that would be beyond its new limits."""
         state, changes = self._controller.state, self._draft.changes()
         lines = [super().danger_of_saving()]
         for joint, angle in zip(JOINTS, state.angles_deg() or (), strict=False):

@@ -21,7 +21,7 @@ from armui.ui.widgets.text_label import text_label
 _LABEL_PX: Final = 30
 _GAP_PX: Final = 3
 _NOTE_PX: Final = 94
-"""Beside the levels: below them it would be read as of the last one."""
+"""The width of the note. It is beside the levels: below, it would seem to concern the last row."""
 _HEIGHT_PX: Final = 30
 _NO_DETECTION: Final = 0
 _DIALOG_PX: Final = (600, 520)
@@ -55,7 +55,7 @@ class LevelRow(QWidget):
 
     @property
     def level(self) -> int | None:
-        """The chosen level."""
+        """The chosen level, or ``None``."""
         level = self._group.checkedId()
         return None if level < 0 else level
 

@@ -182,20 +182,20 @@ class ParameterPanel(Panel):
         return None
 
     def danger(self) -> str:
-        """Return the text on dangerous values; empty if there are none."""
+        """Return a warning about the present or entered values; empty if none is needed."""
         return self._beyond()
 
     def danger_of_saving(self) -> str:
-        """Return the text on dangers of saving, for a confirmation; empty if there are none."""
+        """Return a warning to be confirmed before saving; empty if none is needed."""
         beyond = self._beyond()
         return f"{beyond}\n{beyond_danger()}" if beyond else ""
 
     def _bound(self, parameter: Parameter, value: float) -> float | None:
-        """Return the factory value of this model that a value goes beyond."""
+        """Return the factory value of this model that a value exceeds, or ``None``."""
         return factory_bound(parameter, value, model_data(self._operating_state.model))
 
     def _beyond(self) -> str:
-        """Return what was entered that goes beyond the factory's values, a line each."""
+        """Return a line for each entry that exceeds the factory's value."""
         return "\n".join(
             beyond_factory(parameter, value, bound)
             for parameter, value in self._draft.changes().items()
@@ -225,7 +225,7 @@ class ParameterPanel(Panel):
     def save_changes(self, then: Callable[[], object]) -> None:
         """Save the entries as 【保存】 does, and go on once all of them have been read back.
 
-        Entries that the arm does not accept stay, with the reason below, and ``then`` is not
+        If the arm does not accept an entry, it stays with the reason below it, and ``then`` is not
         called.
         """
         self._save(then)
@@ -275,7 +275,7 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def _save(self, then: Callable[[], object] | None = None) -> None:
-        """Save, after a question where it makes something dangerous; then go on."""
+        """Save, after a question if a value is dangerous; then call ``then``."""
         danger, changes = self.danger_of_saving(), self._draft.changes()
         if danger:
             confirm(
@@ -299,17 +299,17 @@ class ParameterPanel(Panel):
         self._show_all()
 
     def _go_on(self) -> None:
-        """Go where the operator wanted to, if the arm now holds all that was entered."""
+        """Continue the operator's way out of the panel if the arm now holds all entries."""
         then = self._then
         if self._draft.changed:
             self._stay()
         elif then is not None:
             self._then = None
-            # later: it may delete the object whose signal is being handled
+            # from the event loop: it may delete the object whose signal is being handled
             QTimer.singleShot(0, self, then)
 
     def _stay(self) -> None:
-        """Have the operator see why nothing was left."""
+        """Do not leave the panel, and bring its window to the front with the reason."""
         if self._then is not None:
             self._then = None
             self.window().raise_()
@@ -349,7 +349,7 @@ class ParameterPanel(Panel):
     def _on_operating_state_changed(self, operating_state: OperatingState) -> None:
         self._operating_state = operating_state
         if operating_state.device is not None and operating_state.device != self._device:
-            # another arm: what was entered for the last one would be a trap
+            # another arm: entries for the last one must not be saved in it
             self._device = operating_state.device
             self.discard_changes()
         ready = operating_state.unreachable is None and operating_state.generation is not None
@@ -364,11 +364,11 @@ class ParameterPanel(Panel):
             self._settings.read(self._batches)
 
     def _why_not_here(self) -> Refusal | None:
-        """Tell why nothing can be read or saved: no arm, or one that has no such parameters."""
+        """Return why nothing can be read or saved: no arm, or one without such parameters."""
         return self._operating_state.unreachable or self._settings.why_not_kept(self._batches)
 
     def _no_way(self) -> str:
-        """Return in words why nothing can be read or saved, also during a request; else ""."""
+        """Return why nothing can be read or saved, or that a request is under way; else ""."""
         refusal = self._why_not_here()
         if refusal is None and self._settings.busy:
             refusal = BUSY(what="settings")
@@ -404,7 +404,7 @@ class ParameterPanel(Panel):
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
     def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
-        """Return what stands below a value."""
+        """Return the text below a value."""
         if status is not CellStatus.CHANGED:
             return status_word(status) or self.remark(cell)
         held = None if known is None else known.value
@@ -417,7 +417,7 @@ class ParameterPanel(Panel):
 
     def _show_possible(self) -> None:
         """Show the button that ends editing, or the one that begins it; and what can be used."""
-        # hide before showing: with both buttons the row would be wider than the panel
+        # hide first: a row with both buttons would widen the panel for a moment
         going, coming = ("edit", "cancel") if self._draft.editing else ("cancel", "edit")
         self.buttons[going].hide()
         self.buttons[coming].show()
@@ -440,7 +440,7 @@ class ParameterPanel(Panel):
         return no_way
 
     def _is_recommended(self, act: str) -> bool:
-        """Return whether to highlight: saving, or editing first where a value is corrupt."""
+        """Return whether to highlight a button: Save, or Edit if a value is corrupt."""
         return act == "save" or (act == "edit" and bool(self._corrupt()))
 
     def _corrupt(self) -> list[Parameter]:
@@ -470,7 +470,7 @@ class ParameterPanel(Panel):
         self._share_room()
 
     def _said(self, refusal: Refusal | None) -> _Said:
-        """Return the one thing to say: a refusal, what is wrong, a danger, or that it is saved."""
+        """Return the one message: a refusal, an invalid entry, a danger, or that all is saved."""
         state, cell, draft = self._controller.state, self._settings.cell, self._draft
         reasons = (cell(parameter).refusal for parameter in draft.parameters)
         first = (
@@ -493,7 +493,7 @@ class ParameterPanel(Panel):
         return _Said("")
 
     def _saved(self) -> _Said:
-        """Say that all is in the arm; where it keeps coarser steps than asked for, which."""
+        """Return the message after saving, with the values that the arm has rounded."""
         nearest = [
             f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
             for parameter, value in self._saving.asked.items()

@@ -148,7 +148,7 @@ class SettingCell(QWidget):
         status: CellStatus,
         text: str,
         *,
-        beyond: bool = False,  # noqa: ARG002 - what has a field marks it
+        beyond: bool = False,  # noqa: ARG002 - only cells with a field mark it
     ) -> None:
         """Show the state.
 
@@ -186,7 +186,7 @@ class FigureCell(SettingCell):
         return self.field
 
     def show_value(self, value: float | None) -> None:
-        """Show the arm's value; the same figure typed in another form is left."""
+        """Show the arm's value; an equal figure typed in another form stays."""
         shown = None if value is None else shown_as(self.parameter, value)
         if shown is None or self.field.value != shown:
             self.field.show_value(shown)
