@@ -1,6 +1,6 @@
 """The window «About this arm»: facts on it for the operator and for a support mail (B17).
 
-Each value was heard, read or set; values that the arm does not report are shown as unknown.
+Each value was received, read or set; values that the arm does not report are shown as unknown.
 """
 
 from __future__ import annotations

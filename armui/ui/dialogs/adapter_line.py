@@ -78,8 +78,8 @@ class AdapterLine(Translated, QWidget):
             has read the disk.
 
     Attributes:
-        listens_elsewhere: True if whoever follows `changed` listens to an interface by that, and
-            tells `tell_heard` what was found: two programs on one adapter take each other's frames.
+        listens_elsewhere: Returns whether the owner listens to an interface at `changed`, and calls
+            `tell_heard` then: two programs that read one adapter take each other's frames.
 
     Signals:
         changed: The helper has changed something: earlier findings are outdated.
@@ -219,7 +219,7 @@ class AdapterLine(Translated, QWidget):
         self.changed.emit()
 
     def _listen(self, interface: str) -> None:
-        """Listen to the interface: frames prove that it works, the answer of the system doesn't."""
+        """Listen to the interface: only received frames prove that it works."""
         said = self.tr("{channel} is switched on; listening whether anything is heard…")
         self._say(said.format(channel=interface), busy=True)
         number = self._number
@@ -251,7 +251,7 @@ class AdapterLine(Translated, QWidget):
         self._say(said.format(channel=interface), Level.WARNING)
 
     def tell_heard(self, findings: list[Diagnosis] | str) -> None:
-        """Take in what another examination has found, where this one waits for it."""
+        """Show the findings of the owner's examination, if this line waits for them."""
         interface, self._waits_for = self._waits_for, ""
         if not interface:
             return

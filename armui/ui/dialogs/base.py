@@ -60,7 +60,7 @@ def place(dialog: QDialog) -> None:
     wish = Place(left, room.y() + _EDGE_PX, width, wanted.height())
     there = _rect_of(fitted(wish, [place_of(reach)]))
     if there.size() == wanted:
-        dialog.move(there.topLeft())  # Qt sizes it as it is shown
+        dialog.move(there.topLeft())  # Qt gives it its wanted size when it is shown
     else:
         dialog.setGeometry(there)
 

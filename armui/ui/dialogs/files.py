@@ -68,13 +68,13 @@ class FileExport(QObject):
     def _choose(
         self, title: str, name: str, kind: str, on_chosen: Callable[[Path], object]
     ) -> None:
-        """Let the operator say where to.
+        """Let the operator choose the file to be written.
 
         Args:
-            title: Of the file chooser.
+            title: The title of the file chooser.
             name: How the proposed name begins; date and time follow.
             kind: The ending of the file, ``csv``.
-            on_chosen: Gets the file.
+            on_chosen: Called with the file.
         """
         now = datetime.now().astimezone()
         choose_file(
@@ -160,7 +160,7 @@ class FileDialog(QFileDialog):
             self.setDirectory(str(Path(names[0]).parent))
 
     def _widen_columns(self) -> None:
-        """Let the name of a file have the room that size, kind and date leave."""
+        """Give the names of files the width that size, kind and date leave."""
         for table in self.findChildren(QTreeView):
             mode = QHeaderView.ResizeMode
             table.header().setSectionResizeMode(mode.ResizeToContents)

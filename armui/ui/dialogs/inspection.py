@@ -118,14 +118,14 @@ class InspectionDialog(ArmDialog):
         fill(self.footer, self.begin_button, self.save_button, STRETCH, CloseButton(self))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look for room from now on."""
+        """Begin to watch how far each joint can swing."""
         super().showEvent(event)
         if not event.spontaneous():
             self._said = None
             self._on_amplitude()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Look for room no more; an inspection under way goes on, as the run's line shows."""
+        """Stop watching the room; an inspection under way goes on, shown in the run's line."""
         super().hideEvent(event)
         self._controller.inspection.look(None)
 

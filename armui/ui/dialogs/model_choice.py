@@ -102,7 +102,7 @@ class DeviceModel(TableModel):
         every = [*self._found, *self._typed, *connected]
         for device in sorted(
             every, key=lambda device: device.simulated
-        ):  # what is real comes first
+        ):  # real devices come before the simulated arm
             if all(not same_device(device, known) for known in rows):
                 rows.append(device)
         if rows == self._rows:

@@ -110,7 +110,7 @@ class ProblemReportDialog(ArmDialog):
         fill(self.footer, STRETCH, self.save_button, CloseButton(self))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Report a problem"))
         self._note.setText(
             self.tr(
@@ -141,7 +141,7 @@ class ProblemReportDialog(ArmDialog):
         self._collecting = True
         self._began = (time.monotonic(), self._controller.state.frames)
         self._message.show_message(self.tr("Looking at this computer, logs and settings…"))
-        # the examination must not open an adapter that is in use: one of the two would lose it
+        # the examination must not open an adapter in use: they would take each other's frames
         connected = self._controller.operating_state.device is not None
         self._under_way = self._examine(
             ["--no-listen"] if connected else [], lambda answer: self._told.emit(number, answer)
@@ -238,7 +238,7 @@ class ProblemReportDialog(ArmDialog):
         self._refresh()
 
     def _on_late(self) -> None:
-        """Tell what became of a report on a disk that answers late, unless it was saved anew."""
+        """Say that the disk does not answer, so that the report can be saved in another folder."""
         said = self.tr("The disk does not answer. Save the report in another folder.")
         self._message.show_message(said, Level.FAULT)
         self._hangs = True
