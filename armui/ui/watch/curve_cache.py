@@ -84,7 +84,7 @@ class CurveCache(Generic[Drawn]):
         behind_s = end_s - self._end_s
         samples = self.series.count_between(begin_s, end_s)
         if same and behind_s == 0.0 and samples != self._samples:
-            same, self._body = False, []  # a log stands still, and what led to its place was read
+            same, self._body = False, []  # earlier samples of a standing log were loaded
         self._samples = samples
         if same and 0.0 <= behind_s < _BEHIND_PX * px_s and behind_s < _BEHIND_S and not turn:
             return
@@ -117,7 +117,7 @@ class CurveCache(Generic[Drawn]):
         self._show(envelope_lines(envelope, held=self.series.shape.held))
 
     def _make_body(self, exponent: int, begin: int, end: int) -> None:
-        """Everything but the newest end, which still grows."""
+        """Compute everything but the newest end, which changes with each sample."""
         envelope = self.series.envelope(exponent, begin, end, self.fields)
         lines = envelope_lines(envelope, held=self.series.shape.held)
         self._exponent, self._body_begin, self._body_end = exponent, begin, end

@@ -551,7 +551,7 @@ class ExportDialog(ArmDialog):
         super().reject()
 
     def _end(self) -> None:
-        """Nobody waits any more for what is under way."""
+        """End the helper, and have its late answers ignored: they bear an older number."""
         self._number += 1
         if self._under_way is not None:
             self._under_way.end()

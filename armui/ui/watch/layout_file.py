@@ -35,5 +35,5 @@ def write_text(path: Path, text: str) -> None:
     Raises:
         OSError: The disk or the folder does not allow it.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)  # nothing was ever set
+    path.parent.mkdir(parents=True, exist_ok=True)  # missing before the first setting is saved
     write_whole(path, text.encode())

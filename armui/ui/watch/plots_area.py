@@ -75,11 +75,11 @@ class PlotsArea(QWidget):
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save.wanted.connect(self._on_save)
         self.export.said.connect(self.say)
-        # beside the plots the same key is for what is edited there
+        # only within this area: elsewhere in the window the same key undoes edits
         listen_for("plots.undo", self, self.bar.undo.click)
 
     def _lay_out(self) -> None:
-        # a widget that changes its parent is styled anew, with all that is in it
+        # nested at once: Qt styles a widget and its children again when its parent changes
         right = in_column(spacing=6)
         in_row(self.quantities, (right, 1), on=self, spacing=12, margins=0)
         fill(right, self.bar, (self.board, 1), self.cursor_table, self.message)

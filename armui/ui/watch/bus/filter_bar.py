@@ -23,7 +23,7 @@ _BOLDER: Final = 1.15
 
 
 class FilterBar(HasActs, Translated, QWidget):
-    """Controls in a row; what is asked for seldom is folded into one of them.
+    """Controls in a row; a menu button holds the filters that are rarely used.
 
     Args:
         now_s: Returns the present time by the frames' clock.
@@ -151,7 +151,8 @@ class FilterBar(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.show_acts()
-        for button in (self.by_id, self.in_order):  # the chosen one is written bolder
+        # the chosen one is bold, and must not move the others
+        for button in (self.by_id, self.in_order):
             button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
         self.text.setPlaceholderText(self.tr("Name or identifier"))
         self.text.setAccessibleName(self.text.placeholderText())

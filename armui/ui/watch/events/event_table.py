@@ -256,7 +256,7 @@ class EventModel(TableModel):
             self._searching.start()
 
     def _found(self) -> Iterator[list[EventEntry] | None]:
-        """The entries that pass, and ``None`` for each piece of the way there."""
+        """Yield ``None`` after each piece of the search, and at last the entries that pass."""
         revision, entries = self._log.snapshot()
         wanted = self._filter
         if wanted.everything:
@@ -393,7 +393,7 @@ class EventTable(QTableView):
         self._share_room()
 
     def _share_room(self) -> None:
-        """Show as many columns as leave what happened readable."""
+        """Hide columns until the text of the event has enough width."""
         if not self._widths:
             return
         room_px = self.viewport().width() - sum(self._widths.values())

@@ -51,7 +51,7 @@ _BETWEEN_PX: Final = 12
 _FOLDER_PX: Final = 70
 _FIGURES_PX: Final = 215
 _INSIDE: Final = (8, 6, 8, 6)
-"""The margins of a card: two lines each, so that the list below has the drawer."""
+"""The margins of a card: it has only two lines, to leave the drawer's height to the list."""
 
 
 def episode_text(number: int, elapsed_s: float) -> str:

@@ -377,7 +377,7 @@ class ReplayView(Translated, QWidget):
         self._show_frame()
 
     def _see_to_curves(self, at_s: float) -> None:
-        """Have read what they show, and say what is not there yet."""
+        """Request the samples of the visible curves, and mark the time that is not loaded yet."""
         board = self.curves.board
         seen = board.isVisible()
         shown_s = board.edge_s() + board.frame.shown.begin_s
@@ -391,7 +391,7 @@ class ReplayView(Translated, QWidget):
         board.show_missing(Missing(begin_s, end_s, text))
 
     def _show_frame(self) -> None:
-        """The frame that was taken in last: what stepping goes by."""
+        """Show the last decoded frame and its number, from which single steps go on."""
         last = self.replay.last_frame
         if last is None or self.replay.is_playing:
             self.transport.frame.setText("")
