@@ -155,7 +155,7 @@ class EditorHint(TableHint):
         table.model().rowsInserted.connect(self._show_if_empty)
         table.model().rowsRemoved.connect(self._show_if_empty)
         table.model().modelReset.connect(self._show_if_empty)
-        # the jog buttons have one of their own beside them
+        # the opened jog box has the same button
         actions["jog"].toggled.connect(self._buttons[0].setHidden)
         self.retranslate_ui()
         self._show_if_empty()

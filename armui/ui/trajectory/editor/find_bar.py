@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _FIELDS: Final = (NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
 _AT_ONCE: Final = 500
-"""In so many rows a replacement takes 10 ms."""
+"""The most rows replaced at once, in 10 ms; more are left to another process."""
 
 
 class FindBar(HasActs, Translated, QWidget):

@@ -56,7 +56,7 @@ class CellEditor(Protocol):
 
 
 class TextEditor(QLineEdit):
-    """A figure, six of them, or a note."""
+    """An editor for a figure, the six figures of a pose, or a note."""
 
     def __init__(self, parent: QWidget, *, figure: bool) -> None:
         super().__init__(parent)
@@ -70,10 +70,10 @@ class TextEditor(QLineEdit):
 
 
 class MoveEditor(QComboBox):
-    """The four kinds of motion; choosing one is enough.
+    """An editor of the kind of motion; choosing one closes it.
 
     Signals:
-        decided: One was chosen.
+        decided: The operator has chosen a kind.
     """
 
     decided = Signal()
@@ -85,7 +85,7 @@ class MoveEditor(QComboBox):
         self.activated.connect(self.decided)
 
     def text(self) -> str:
-        """The one chosen."""
+        """Return the chosen kind of motion."""
         return self.currentText()
 
     def set_text(self, text: str) -> None:
@@ -105,7 +105,7 @@ class _Row(Translated, QWidget):
         self.setFocusProxy(self.kind)
 
     def add_field(self, name: str, width_px: int = _FIELD_PX) -> QLineEdit:
-        """One more field at the right end."""
+        """Add a field at the right end."""
         field = named(name, QLineEdit())
         field.setFixedWidth(width_px)
         self._layout.addWidget(field)

@@ -263,7 +263,7 @@ class PointsModel(TableModel):
         point = self._points[row]
         if column in POSES:
             if text == text_of(before := self.tool.shown(point), column):
-                return point  # as it came, even beyond the limits of this arm
+                return point  # unchanged: accepted even beyond the limits of this arm
             typed = edited(before, column, text, self.limits())
             if isinstance(typed, Refusal):
                 return typed
@@ -355,7 +355,7 @@ class PointsModel(TableModel):
             self._redraw(rows)
 
     def _redraw(self, rows: Iterable[int]) -> None:
-        """Rows look otherwise; told as one stretch, since there may be ten thousand of them."""
+        """Have rows painted again, as one range: separate ones are slow for ten thousand rows."""
         there = [row for row in rows if 0 <= row < len(self._points)]
         if there:
             first, last = min(there), max(there)

@@ -219,7 +219,7 @@ class LibraryActions(HasActs, QObject):
         return bool(why)
 
     def _on_refused(self, text: str) -> None:
-        # it may be refused because the library is another than the operator sees
+        # the library may have changed since it was listed
         self.changed.emit(None)
         self.show_acts()
         self.said.emit(text, Level.FAULT)

@@ -120,7 +120,7 @@ class LibraryEditors(QObject):
             self.open_recorder(content)
 
     def _open_draft(self, name: str) -> None:
-        """What was never saved begins with nothing, and its unsaved changes."""
+        """Open a trajectory that was never saved: its unsaved changes are an edit of no points."""
 
         def opened(draft: Trajectory | None) -> None:
             if draft is None:  # another program has saved or discarded it meanwhile
@@ -151,7 +151,7 @@ class LibraryEditors(QObject):
         self, trajectory: Trajectory, draft: Trajectory | None, *, aside: bool = False
     ) -> None:
         name = trajectory.name
-        if name in self._editors:  # it was opened twice before it was read
+        if name in self._editors:  # opened again while it was being read
             self._editors[name].open()
             return
         work = LibraryWork(self._library, self._background, self)

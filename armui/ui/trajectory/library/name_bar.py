@@ -110,7 +110,7 @@ class NameBar(HasActs, Translated, QWidget):
         question = self._question
         if question is None or self._given or question.why_not(self._name()) is not None:
             return
-        self._given = True  # pressed twice, it is given once
+        self._given = True  # a second press has no effect
         self._show_usable()
         question.give(self._name())
 

@@ -61,7 +61,7 @@ class PathPreview(QObject):
         self._target_finding: FindingMark | None = None
         self._is_seen = True
         self._scrubbed = False
-        """The operator went to a time; what he did last is where the ghost is."""
+        """True if the operator's last choice was a time on the slider, where the ghost stays."""
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)

@@ -93,7 +93,7 @@ def _place_mm(
     if joints_deg is None and found.row is not None:
         point = content.points[found.row] if isinstance(content, Trajectory) else None
         if point is not None and point.frame:
-            return None  # nobody knows where that frame is
+            return None  # the frame is not known here
         if point is not None and not point.is_joint:
             flange = pose_to_matrix(point.target)
             x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
@@ -254,7 +254,7 @@ class PointTarget:
         if refusal is None:
             label = QCoreApplication.translate("PointTarget", "Drag in the picture")
             self.editor.document.edit(edits.change(points, {row: changed}), label)
-            # what leads there is known: it was dragged there
+            # cached: these angles are known to reach the new pose
             frames = frames_of(self._controller.cell.cell)
             self._solved = (self.editor.document.points, row, frames, angles_deg)
         return refusal
@@ -300,7 +300,7 @@ class PreviewLink(QObject):
         self._preview = preview
         self._controller = controller
         self._pages: list[Page] = []
-        self._targets: dict[Page, PointTarget] = {}  # of each editor
+        self._targets: dict[Page, PointTarget] = {}  # the draggable point of each editor
         self._checked: dict[Page, Preflight] = {}
         self._page: Page | None = None
         self._shown: Preflight | None = None
@@ -411,7 +411,7 @@ class PreviewLink(QObject):
             self._turn_to(page)
 
     def _renew(self, page: Page, checked: Preflight) -> None:
-        """Show what holds of the findings of a path that is shown; it stays as it is seen."""
+        """Update the findings of a path that is shown; its view and ghost stay."""
         before = self._checked.get(page)
         if before is None or before.path is not checked.path:
             return
@@ -457,7 +457,7 @@ class PreviewLink(QObject):
         recorder.cut_changed.connect(partial(self._on_cut, recorder))
 
     def _on_cut(self, recorder: RecordingPage) -> None:
-        """What is kept is another: what was checked of it is shown no more."""
+        """Drop the check of a recording when another part of it is kept."""
         self._checked.pop(recorder, None)
         if recorder is self._page and recorder.isVisible():
             self._turn_to(recorder)
@@ -472,7 +472,7 @@ class PreviewLink(QObject):
         self._preview.show_points(picture, None, ghost_deg)
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
-        """Show points where their frames are now; a path that was checked elsewhere is none."""
+        """Show points in their present frames; drop checks that were made in other frames."""
         now = frames_of(cell)
         for page, checked in tuple(self._checked.items()):
             moved = any(now.get(name) != pose for name, pose in checked.order.arm.frames)

@@ -123,7 +123,7 @@ class RecordedCurves(Translated, QWidget):
         return max(_LEAST_S, 0.0 if self._recording is None else self._recording.duration_s)
 
     def _box(self) -> QRectF:
-        """Where the curves are: below their names, above the times."""
+        """Return the area of the curves: below their names, above the times."""
         line_px = self.fontMetrics().height()
         left = self.fontMetrics().horizontalAdvance("-000.0°") + _PAD_PX
         return QRectF(
@@ -230,7 +230,7 @@ class RecordedCurves(Translated, QWidget):
             painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
 
     def _draw_ends(self, painter: QPainter, box: QRectF) -> None:
-        """Shade what is left out; a handle and its time at either end."""
+        """Shade what is left out, and draw a handle with its time at either end."""
         colors = colors_of(self)
         veil = QColor(colors.sunken)
         veil.setAlphaF(0.8)

@@ -107,11 +107,11 @@ class RunEstimate(QObject):
         if not wanted:
             if self.is_asked:
                 self.renew()
-            return  # what is known holds while a list is made anew, and nothing is chosen
+            return  # the selection is empty for a moment while a list is rebuilt: keep the time
         here = self._checks.stands_at_deg
         chosen = (what, self._options(), self._percent(), self._checks.arm.fingerprint)
         if here is None and self._of is not None and self._of[0] == chosen:
-            return  # the arm is on its way or silent: what was known holds until it rests
+            return  # keep the time while the arm moves or is silent
         of = (chosen, here)
         if of != self._of:
             self._forget()
