@@ -133,7 +133,7 @@ class AboutDialog(ArmDialog):
             sessions=found.files.get("sessions", 0),
         )
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_taken_over(self, found: TakenOver | Refusal | None) -> None:
         self._taken_over = None if isinstance(found, Refusal) else found

@@ -171,7 +171,7 @@ class AdapterLine(Translated, QWidget):
         self._number += 1
         self.cancel_button.hide()
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, answer: Answer) -> None:
         if number != self._number or self._change is None:
@@ -275,7 +275,7 @@ class AdapterLine(Translated, QWidget):
             return
         self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
         self._line.show_message(text, level)

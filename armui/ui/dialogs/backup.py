@@ -241,7 +241,7 @@ class BackupModel(TableModel):
             self._restored = set(restored)
             self.redraw()
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; only parameters that can be restored can be ticked."""
@@ -542,7 +542,7 @@ class BackupDialog(ArmDialog):
             self._model.follow([])
             self._refuse(answer)
 
-    # What the arm says ------------------------------------------------------------------------
+    # Feedback of the arm ----------------------------------------------------------------------
 
     def _on_progress(self, done: int, total: int) -> None:
         self.progress.setRange(0, total)
@@ -580,7 +580,7 @@ class BackupDialog(ArmDialog):
             self._reader.start()
         self._show_all()
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _known(self) -> list[Parameter]:
         batches = self._settings.everything()

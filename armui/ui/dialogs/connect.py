@@ -392,7 +392,7 @@ class ConnectDialog(ArmDialog):
         self.model_choice.show_device(device, self._operating_state)
         self._refresh()
 
-    # What the controller tells ----------------------------------------------------------------
+    # Signals of the controller ----------------------------------------------------------------
 
     def _on_devices_found(self, devices: Sequence[Device]) -> None:
         self._model.show_found(devices)
@@ -421,7 +421,7 @@ class ConnectDialog(ArmDialog):
         wanted = layout.totalMinimumHeightForWidth(self.width())
         self.resize(self.width(), max(self.height(), wanted))
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _selected(self) -> Device | None:
         rows = self._table.selectionModel().selectedRows()

@@ -218,7 +218,7 @@ class DoctorDialog(ArmDialog):
         answers = any(each.kind == ARM for each in findings)
         return as_text(findings, WORDS, arm_answers=answers, asked=False)
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, answer: Any) -> None:
         if number != self._number:
@@ -296,7 +296,7 @@ class DoctorDialog(ArmDialog):
         if self._rows:
             QTimer.singleShot(0, self, self._add_rows)
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Cancel the examination and close, by Escape, the button or the frame."""

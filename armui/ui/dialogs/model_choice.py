@@ -112,7 +112,7 @@ class DeviceModel(TableModel):
         self._rows = rows
         self.endResetModel()
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def titles(self) -> Sequence[str]:
         """Return the titles: state, kind, channel, serial number, bit rate."""

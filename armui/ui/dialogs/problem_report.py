@@ -182,7 +182,7 @@ class ProblemReportDialog(ArmDialog):
         self._background.begin_here(self._saving, save, path, self.files())
         self._refresh()
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def files(self) -> tuple[ReportFile, ...]:
         """Return what is in the report now."""
@@ -244,7 +244,7 @@ class ProblemReportDialog(ArmDialog):
         self._hangs = True
         self._refresh()
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         files = self.files()
@@ -282,7 +282,7 @@ class ProblemReportDialog(ArmDialog):
         first = data[:_SHOWN_BYTES].decode("utf-8", "replace")
         return f"{first}\n\n{between}\n\n{data[-_SHOWN_BYTES:].decode('utf-8', 'replace')}"
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Close by Escape, button or frame; a report that is being saved is saved."""

@@ -481,7 +481,7 @@ class ExportDialog(ArmDialog):
             concerns_arm=False,
         )
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, said: Any) -> None:
         if number != self._number:
@@ -542,7 +542,7 @@ class ExportDialog(ArmDialog):
         text = self.tr("Exporting… {frames:,} frames read")
         self._message.show_message(text.format(frames=self._progress.frames))
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Cancel a running export, and close, by Escape or the frame."""

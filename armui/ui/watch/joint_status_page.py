@@ -166,7 +166,7 @@ class JointStatusModel(TableModel):
             keys = ["arm.no_communication"]
         return keys
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -405,7 +405,7 @@ class JointStatusPage(Page):
         column_px = max(column_px + 4 * _BETWEEN_PX, word_width(self.table))
         self.table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
 
-    # What the arm says ------------------------------------------------------------------------
+    # Feedback of the arm ----------------------------------------------------------------------
 
     def _on_updated(self) -> None:
         if self.isVisible():

@@ -174,7 +174,7 @@ class PlotPage(Page):
             **self.bar.save.targets("plots"),
         }
 
-    # What others ask for ----------------------------------------------------------------------
+    # Requests from other parts ----------------------------------------------------------------
 
     def add_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in their present plot, or in a new one."""

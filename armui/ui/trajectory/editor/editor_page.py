@@ -685,7 +685,7 @@ class EditorPage(Page):
     def _on_driven(self, answer: Started | Refusal) -> None:
         self._tell(refusal_of(answer))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _do(self, edit: Callable[[], Outcome]) -> None:
         self._tell(EDIT_UNDER_WAY() if self._long_edits.busy else edit())

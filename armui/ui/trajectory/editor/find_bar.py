@@ -110,7 +110,7 @@ class FindBar(HasActs, Translated, QWidget):
         self._result.setText(text)
         self._result.setToolTip(text)
 
-    # Words and keys ---------------------------------------------------------------------------
+    # Texts and keys ---------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

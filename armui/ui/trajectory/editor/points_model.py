@@ -139,7 +139,7 @@ class PointsModel(TableModel):
         self._faults: Mapping[int, bool] = {}
         document.changed.connect(self._on_changed)
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
         """Return the number of points."""
@@ -276,7 +276,7 @@ class PointsModel(TableModel):
             return POINT_MOVE_UNKNOWN(value=text)
         return self._to_move(row, move)
 
-    # Rows dragged elsewhere -------------------------------------------------------------------
+    # Dragging rows ----------------------------------------------------------------------------
 
     def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - Qt's name
         """Return that rows are moved."""

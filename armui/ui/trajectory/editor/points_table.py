@@ -162,7 +162,7 @@ class PointsTable(QTableView):
         self._shorten()
 
     def _on_scrolled(self) -> None:
-        if self._widen():  # if nothing grows, widths set by the operator stay
+        if self._widen():  # else widths set by the operator stay
             self._shorten()
 
     def _widen(self) -> bool:

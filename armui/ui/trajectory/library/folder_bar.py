@@ -188,7 +188,7 @@ class FolderBar(HasActs, QObject):
     def _delete(self) -> None:
         self._actions.delete_folder(self._shown, self.show_all)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""

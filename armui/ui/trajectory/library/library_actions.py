@@ -229,7 +229,7 @@ class LibraryActions(HasActs, QObject):
         self.show_acts()
         self.said.emit(text, Level.DONE)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _undone(self, step: Step, back: Sequence[str]) -> str:
         if isinstance(step, Deletion):

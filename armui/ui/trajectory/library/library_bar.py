@@ -132,7 +132,7 @@ class LibraryBar(HasActs, QWidget):
         self.search.setFocus()
         self.search.selectAll()
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""

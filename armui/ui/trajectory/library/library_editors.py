@@ -120,7 +120,7 @@ class LibraryEditors(QObject):
             self.open_recorder(content)
 
     def _open_draft(self, name: str) -> None:
-        """Open a trajectory that was never saved: its unsaved changes are an edit of no points."""
+        """Open a trajectory that was never saved: its draft is applied to an empty one."""
 
         def opened(draft: Trajectory | None) -> None:
             if draft is None:  # another program has saved or discarded it meanwhile

@@ -413,7 +413,7 @@ class LibraryPage(Page):
             if self._said_of not in ("", name):
                 self._say("")
 
-    # How long they take -----------------------------------------------------------------------
+    # Durations --------------------------------------------------------------------------------
 
     def _estimate(self) -> None:
         """Have some worked out whose length is not known; then the next ones, while it is seen."""
@@ -426,7 +426,7 @@ class LibraryPage(Page):
         def known(estimates: Mapping[str, float | None]) -> None:
             self._estimating = False
             self._model.note_estimates(estimates, arm)
-            if estimates:  # no results: the files are gone, or the disk must be read again first
+            if estimates:  # else the files are gone, or the disk must be read again first
                 self._estimate()
 
         def refused(_text: str) -> None:
@@ -595,7 +595,7 @@ class LibraryPage(Page):
         self.refresh()  # it may be refused because somebody else has changed the library
         self._say(text, Level.FAULT)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._tells_end, self._said_of = False, ""

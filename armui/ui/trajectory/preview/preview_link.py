@@ -340,7 +340,7 @@ class PreviewLink(QObject):
         if mark is not None:
             self._preview.show_finding(mark)
 
-    # which page is seen -----------------------------------------------------------------------
+    # the visible page -------------------------------------------------------------------------
 
     def _watch(self, page: Page) -> None:
         if page not in self._pages:

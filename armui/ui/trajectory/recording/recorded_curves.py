@@ -255,7 +255,7 @@ class RecordedCurves(Translated, QWidget):
             painter.setPen(QColor(colors.text))
             painter.drawText(QPointF(left_px, box.bottom() + _PAD_PX + metrics.ascent()), text)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -540,7 +540,7 @@ class RecordingPage(Page):
         self._keeper.drop()
         super().leave()
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _show_state(self) -> None:
         recorder = self._controller.recorder

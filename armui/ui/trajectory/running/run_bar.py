@@ -415,7 +415,7 @@ class RunBar(Translated, QWidget):
         before = [one for one in self._speeds if one.row < row]
         return before[-1][1:] if before else (1, 1)
 
-    # What is asked for ------------------------------------------------------------------------
+    # Requests ---------------------------------------------------------------------------------
 
     def show_secondary(self, wanted: bool) -> None:
         """Set whether running is not the main action of the page."""
@@ -522,7 +522,7 @@ class RunBar(Translated, QWidget):
         """Return whether the run under way, or the last one, goes by these points."""
         return self._runner.goes_by(points)
 
-    # How far it has come ----------------------------------------------------------------------
+    # Progress ---------------------------------------------------------------------------------
 
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress) and self._again is not None:
@@ -581,7 +581,7 @@ class RunBar(Translated, QWidget):
         enable_or_explain(self._resume, why_not)
         self._resume.setText(self.tr("Continue from row {row}").format(row=progress.index + 1))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _recolor(self) -> None:
         colors = colors_of(self)

@@ -402,7 +402,7 @@ class ColumnsPage(Page):
             self._work.requestInterruption()
             self._message.show_message(self.tr("Cancelling the import…"))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -471,7 +471,7 @@ class BusPage(Page):
         if wanted:
             self.trace.scrollToBottom()
 
-    # One frame --------------------------------------------------------------------------------
+    # Menu and curves of a frame ---------------------------------------------------------------
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the keys of the quantities at a place of the page."""

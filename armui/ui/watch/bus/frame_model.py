@@ -373,7 +373,7 @@ class FrameModel(QAbstractItemModel):
         keys = [signal.key for signal in node.signals(self.texts) if signal.key]
         return list(dict.fromkeys(keys))
 
-    # Qt's questions ---------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def _node(self, index: Index) -> _Node:
         number = index.internalId()

@@ -290,7 +290,7 @@ class EventModel(TableModel):
             known = self._texts[entry.number] = entry, search_text(entry)
         return known[1]
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the text of a cell, or its looks."""

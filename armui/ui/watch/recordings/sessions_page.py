@@ -173,7 +173,7 @@ class SessionsModel(TableModel):
         """Return whether a recording is still being written."""
         return name in self._written
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; a name can be edited, unless its files are being written."""
@@ -360,7 +360,7 @@ class SessionsPage(Page):
         self._model.retranslate()
         self.show_acts()
 
-    # Looking ----------------------------------------------------------------------------------
+    # Listing the recordings -------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         """Read the folder again, and follow the recording in progress."""

@@ -87,7 +87,7 @@ class ReplayEvents(Translated, QWidget):
         """Show events in the order of time."""
         self.model.show_log(log)
 
-    # Where the replay is ----------------------------------------------------------------------
+    # The replay's position --------------------------------------------------------------------
 
     def show_position(self, at_s: float) -> None:
         """Set the replay's time."""
