@@ -103,7 +103,7 @@ class AboutDialog(ArmDialog):
         self._background.begin_here(Job(self._on_licences), licences)
 
     def facts(self) -> str:
-        """Return what is known of the program, a line each."""
+        """Return version, kind of installation, system and taken-over files, a line each."""
         way = (
             self.tr("installed package")
             if is_packaged()

@@ -125,7 +125,7 @@ class AdapterLine(Translated, QWidget):
         self.cancel_button.setText(self.tr("Cancel"))
 
     def text(self) -> str:
-        """Return the present text."""
+        """Return the message as shown."""
         return self._line.text()
 
     def is_there(self) -> bool:

@@ -322,7 +322,7 @@ class DifferencesOnly(QSortFilterProxyModel):
     def filterAcceptsRow(  # noqa: N802 - the name Qt calls
         self, source_row: int, _parent: Index
     ) -> bool:
-        """Return whether a row is shown."""
+        """Return whether a row differs, or all rows are wanted."""
         return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME
 
 

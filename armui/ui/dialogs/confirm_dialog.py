@@ -227,11 +227,11 @@ class ConfirmDialog(ArmDialog):
             self.holds()
 
     def show_text(self, text: str) -> None:
-        """Replace the text."""
+        """Replace the question's text while it is open."""
         self._text.setText(text)
 
     def text(self) -> str:
-        """Return the text."""
+        """Return the question's text as it is shown."""
         return self._text.text()
 
     def retranslate_ui(self) -> None:

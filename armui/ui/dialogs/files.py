@@ -87,7 +87,7 @@ class FileExport(QObject):
         )
 
     def _job(self, path: Path) -> Job[Any]:
-        """Return a job of writing a file that tells its result to `_on_written`."""
+        """Return a job of writing a file that passes its result to `_on_written`."""
         return Job(partial(self._on_written, path))
 
     def _on_written(self, path: Path, result: int | Refusal | None) -> None:

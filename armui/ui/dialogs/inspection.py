@@ -215,7 +215,7 @@ class InspectionDialog(ArmDialog):
         self.report_view.setDocument(made)
 
     def _arm(self) -> list[str]:
-        """Return what is known of the arm, a line each."""
+        """Return model, firmware, node and serial number for the report, a line each."""
         from armui.ui.dialogs.about_arm import about_rows  # noqa: PLC0415 - for its window
 
         state, now = self._controller.state, self._controller.operating_state

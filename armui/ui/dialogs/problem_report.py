@@ -47,7 +47,7 @@ class ProblemReportDialog(ArmDialog):
     """Collects the report at each opening; sends nothing, and writes only when asked to.
 
     Args:
-        controller: Tells about the arm that is connected, and what was on its bus.
+        controller: Gives the state of the connected arm, and the last minutes of its bus.
         background: Reads logs and settings, and writes the file.
         settings: The program's file of settings.
         parent: The main window.

@@ -219,7 +219,7 @@ class SettingsDialog(ArmDialog):
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the present settings."""
+        """Show the present settings, which other parts may have changed."""
         super().showEvent(event)
         if not event.spontaneous():
             self._mark_jog_step(wrong=False)

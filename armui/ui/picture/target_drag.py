@@ -359,7 +359,7 @@ class HandGuide(Protocol):
 
 
 class LedArm(_InForce):
-    """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
+    """A simulated arm in drag teaching, led by the mouse as a real one is by hand.
 
     No frame is sent for it: it only tells the simulator of this program, and only if its arm gives
     way. It never moves a real arm.
@@ -554,7 +554,7 @@ class TargetDrag(QObject):
         *,
         leads_inside: bool,
     ) -> Refusal | Callable[[], str] | None:
-        """Return the note beside the picture: why there is no ghost, or what is to be known of it.
+        """Return the note over the picture: why there is no ghost, or what the ghost shows.
 
         Args:
             target: The target, if there is one.

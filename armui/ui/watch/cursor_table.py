@@ -54,7 +54,7 @@ class CursorTable(QWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Update the values."""
+        """Show the values at the cursors, or hide the table if there are none."""
         self.setVisible(self.is_wanted and self._board.has_cursors)
         if not self._board.has_cursors:
             return

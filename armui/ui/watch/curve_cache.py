@@ -69,13 +69,13 @@ class CurveCache(Generic[Drawn]):
         self.extents: list[Extent] = [None] * len(self.fields)
 
     def update(self, begin_s: float, end_s: float, width_px: int, *, turn: bool = True) -> None:
-        """Compute the lines of a time, whose end must not be in the future.
+        """Compute the lines of a stretch of time, which must not end in the future.
 
         Args:
             begin_s: Monotonic time at the left end.
             end_s: And at the right.
             width_px: How many pixels they are apart.
-            turn: If false, the present lines are kept while only some pixels are missing.
+            turn: If false, the present lines stay while only some pixels are missing.
         """
         px_s = (end_s - begin_s) / max(width_px, 1)
         same = (px_s, width_px) == self._scale and begin_s >= self._begin_s

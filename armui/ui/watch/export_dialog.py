@@ -98,7 +98,7 @@ _BELOW_FORMATS: Final = 2
 
 
 def finished_text(report: dict[str, Any], export_format: ExportFormat, target: Path) -> str:
-    """Return the text on a finished export."""
+    """Return the text on a finished export: what was written, and where."""
     text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} rows)")
     if export_format is ExportFormat.MCAP:
         text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} messages)")
@@ -268,7 +268,7 @@ class ExportForm(Translated, QWidget):
         self._propose_target()
 
     def show_target(self, path: Path) -> None:
-        """Set the target."""
+        """Set the file to be written; another log does not replace it by a proposal."""
         self._target, self._target_chosen = path, True
         self._show_paths()
         self.changed.emit()

@@ -234,7 +234,7 @@ class PlotBoard(QWidget):
     # Time -------------------------------------------------------------------------------------
 
     def now_s(self) -> float:
-        """Return the present time."""
+        """Return the present monotonic time of the series, in seconds."""
         return self.telemetry.now_s()
 
     def edge_s(self) -> float:

@@ -143,7 +143,7 @@ class Legend(QWidget):
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """The entries."""
+        """The entries in the order of their curves."""
         return self._entries
 
     @property
@@ -424,7 +424,7 @@ class PlotPane(TakesQuantities, QWidget):
             graph.curves.show_missing(missing, colors_of(self).border)
 
     def ends_px(self, of: QWidget) -> tuple[float, float]:
-        """Return the places of the time's ends in another widget."""
+        """Return the x coordinates of the time axis' ends in another widget, in pixels."""
         graph = self.graphs[0]
         left = graph.mapFromScene(graph.box.sceneBoundingRect().topLeft())
         begin = of.mapFromGlobal(graph.mapToGlobal(left)).x()

@@ -42,7 +42,7 @@ class _Tree(QTreeView):
 
 
 class QuantityList(Translated, QWidget):
-    """A search field over a tree; quantities never heard are muted.
+    """A search field over a tree; quantities never received are muted.
 
     Args:
         telemetry: Gives the series.
@@ -131,7 +131,7 @@ class QuantityList(Translated, QWidget):
         self.show_heard()
 
     def show_heard(self) -> None:
-        """Mute quantities that were never heard."""
+        """Mute quantities that were never received."""
         colors = colors_of(self)
         heard, never = QColor(colors.text), QColor(colors.faint)
         said = {name: series.count > 0 for name, series in self._telemetry.series.items()}

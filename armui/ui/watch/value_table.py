@@ -1,6 +1,6 @@
 """The samples of some quantities as a table in a CSV file: pure, for another thread or process.
 
-There is a row for each millisecond in which anything was heard; cells without a sample are empty.
+There is a row for each millisecond with any sample; cells without a sample are empty.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ class EditorActions:
 
     @staticmethod
     def keys(name: str) -> QKeySequence:
-        """Return the key of an action."""
+        """Return the key of an action as set in `SHORTCUTS`."""
         return QKeySequence(keys_of(f"editor.{name}"))
 
     def __getitem__(self, name: str) -> QAction:

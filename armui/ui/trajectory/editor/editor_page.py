@@ -306,7 +306,7 @@ class EditorPage(Page):
         return self.document.name
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the jog box anew, because there is more or less height."""
+        """Place the jog box for the new height."""
         super().resizeEvent(event)
         self._place_jog()
 
@@ -333,7 +333,7 @@ class EditorPage(Page):
         return True
 
     def _place_jog(self) -> None:
-        """Have the jog box stay in its place, or scroll with the table where there is no height."""
+        """Keep the jog box below the table, or let it scroll with the table in a low window."""
         foot_px = sum(_height_of(each, self.width()) for each in (self._jog, self._run_bar))
         low = self.height() - foot_px < _LEAST_BODY_PX
         if low == (self._foot.indexOf(self._jog) >= 0):
@@ -436,7 +436,7 @@ class EditorPage(Page):
         self.document.set_note(self._note.text(), self.tr("Note"))
 
     def _take_draft(self, draft: Trajectory) -> None:
-        """Bring back what was not saved, as an edit that can be undone."""
+        """Restore unsaved changes as an edit that can be undone."""
         self.document.set_note(draft.note, self.tr("Unsaved changes"))
         if draft.taught_on == self.document.taught_on:
             self.document.edit(draft.points, self.tr("Unsaved changes"))
@@ -551,7 +551,7 @@ class EditorPage(Page):
         self.model.show_faults(faults)
 
     def _show_finding(self, finding: Finding) -> None:
-        """Select the row of a finding, and have the ghost stand where it is."""
+        """Select the row of a finding, and show the ghost at its place."""
         if finding.row is not None:
             self.table.select_row(finding.row)
         self.finding_wanted.emit(finding)

@@ -93,7 +93,7 @@ class FindBar(HasActs, Translated, QWidget):
 
     @_close.pressed
     def put_away(self) -> None:
-        """Close the bar."""
+        """Hide the bar, and emit `closed`."""
         self.hide()
         self.closed.emit()
 
@@ -101,7 +101,7 @@ class FindBar(HasActs, Translated, QWidget):
 
     @property
     def search(self) -> Search:
-        """What is to be found and replaced."""
+        """The search, as entered in the fields."""
         return Search(str(self._field.currentData()), self._wanted.text(), self._by.text())
 
     def show_result(self, result: str | Refusal) -> None:

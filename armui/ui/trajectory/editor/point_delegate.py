@@ -49,7 +49,7 @@ class CellEditor(Protocol):
     """What the delegate asks of an editor."""
 
     def text(self) -> str:
-        """What is entered."""
+        """Return the entry, in the notation of the model."""
 
     def set_text(self, text: str) -> None:
         """Show what stood in the cell."""

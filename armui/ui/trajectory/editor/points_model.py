@@ -233,7 +233,7 @@ class PointsModel(TableModel):
         return [look.title.text().format(point=point) for look in LOOKS.values()]
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """Return the flags of a cell."""
+        """Return the flags of a cell: whether it is `editable`; between rows only dropping."""
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         can_edit = editable(self._points[index.row()], _COLUMNS[index.column()])
@@ -313,7 +313,7 @@ class PointsModel(TableModel):
     # What changes -----------------------------------------------------------------------------
 
     def _on_changed(self, change: Change) -> None:
-        """Tell the view no more than has changed, so that it keeps its place and selection."""
+        """Report only changed rows, so that the view keeps its scroll position and selection."""
         points = self._document.points
         same = min(len(change.removed), len(change.added))
         if same:

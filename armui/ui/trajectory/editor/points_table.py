@@ -122,7 +122,7 @@ class PointsTable(QTableView):
         return sum(map(self.columnWidth, others), whole_px)
 
     def _shorten(self) -> None:
-        """Shorten what may be, so that all is in sight, or else what is before the lamps is."""
+        """Narrow columns until all are visible, or without room for that those before the lamps."""
         over_px = self._columns_px - self.viewport().width()
         if over_px > sum(px - _SHORTENED_PX[each] for each, px in self._whole_px.items()):
             over_px -= self.columnWidth(PointColumn.LIGHT) + LOOKS[PointColumn.NOTE].width_px
@@ -155,7 +155,7 @@ class PointsTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
     def make_room(self) -> None:
-        """Widen columns for what stands in them, in the rows that are in sight."""
+        """Widen columns for the contents of the visible rows."""
         self._widen()
         widest = f"▶ 00{max(10, self.points.rowCount())}"  # zeros for the style's margins
         self.verticalHeader().setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))

@@ -35,7 +35,7 @@ class _CutButton(QPushButton):
     """Cuts a text that would make it too wide."""
 
     def setText(self, text: str) -> None:  # noqa: N802 - Qt's name
-        """Set the text."""
+        """Set the text, shortened to the greatest width."""
         right = Qt.TextElideMode.ElideRight
         super().setText(self.fontMetrics().elidedText(text, right, _WIDEST_PX))
 

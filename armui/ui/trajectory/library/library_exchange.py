@@ -516,7 +516,7 @@ class LibraryExchange(HasActs, QObject):
 
 
 def _beyond(checked: Preflight) -> Iterator[tuple[str, Finding]]:
-    """Yield what forbids to run an imported one, wherever the arm stands, with its name."""
+    """Yield the errors of an imported trajectory that hold wherever the arm is, with its name."""
     for found in checked.outcome.errors:
         if not found.is_of_approach:
             yield checked.content.name, found

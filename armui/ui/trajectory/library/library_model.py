@@ -94,7 +94,7 @@ class LibraryModel(TableModel):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names of all there are, also of what has unsaved changes alone."""
+        """All names, also those of trajectories that only have unsaved changes."""
         return self._drafts.union(entry.name for entry in self._rows)
 
     def why_empty(self, entry: IndexEntry) -> Refusal | None:
@@ -291,7 +291,7 @@ class LibraryModel(TableModel):
         return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind
 
     def check(self, entry: IndexEntry) -> str:
-        """Return its state as a sign and a word: it is never told by one of them alone."""
+        """Return its state as a sign and a word, since colours and signs alone are ambiguous."""
         words_of = {
             "ok": self.tr("✓ checked"),
             "warnings": self.tr("! warnings"),

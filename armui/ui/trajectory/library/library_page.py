@@ -306,7 +306,7 @@ class LibraryPage(Page):
         self._show_hint()
 
     def _drop_unchosen(self) -> None:
-        """Forget what was checked of a trajectory, if none is chosen any more."""
+        """Drop the check of a trajectory if none is selected any more."""
         if not self.chosen():
             self._run_bar.drop_check()
             self._drop_findings()
@@ -337,12 +337,12 @@ class LibraryPage(Page):
         self._show_folder()
 
     def _show_folder(self) -> None:
-        """List one folder, unless a text is searched for; what is new is kept in that folder."""
+        """List one folder, unless a text is searched for; new entries are stored in it."""
         folder = self._folder_bar.shown
         self._library.new_in = folder
         self._shown.show_folder(folder)
         self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
-        self._show_usable()  # Qt does not tell that the list lost what was chosen
+        self._show_usable()  # Qt emits no signal when selected rows are filtered out
         self._drop_unchosen()
         self._show_hint()
 
@@ -482,7 +482,7 @@ class LibraryPage(Page):
     # Running ----------------------------------------------------------------------------------
 
     def _to_run(self, then: Callable[[Content | None], object]) -> None:
-        """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
+        """Pass on the selected content once it is read, unless the selection has changed."""
         chosen = self._chosen_names()
         if len(chosen) != 1:
             none = NO_ROWS_CHOSEN()
@@ -525,7 +525,7 @@ class LibraryPage(Page):
         self.preview_wanted.emit(found)
 
     def _drop_findings(self) -> None:
-        """Forget what was found, and take its path out of the picture."""
+        """Drop the check, and remove its path from the picture."""
         if self._found_of:
             self.preview_wanted.emit(None)
         self._found_of = ""

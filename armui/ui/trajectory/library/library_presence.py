@@ -102,7 +102,7 @@ _YOUNG_S: Final = 2.0
 """A second change this soon after one may bear the same time; some file systems count in this."""
 
 FolderTimes = dict[str, int | None]
-"""When each folder was changed last, in ns, by its name; ``None``: too young to tell."""
+"""When each folder was changed last, in ns, by its name; ``None``: too recent to be reliable."""
 
 
 def folder_times(folder: Path, names: Sequence[str]) -> FolderTimes:

@@ -29,9 +29,9 @@ class NameQuestion:
     Attributes:
         label: Says what is named.
         act: Says what the name does, on the button.
-        suggest: Makes the name that stands there first; "" for none.
-        why_not: Tells what is against a name.
-        give: Gets the name the operator has chosen.
+        suggest: Returns the initial name; "" for none.
+        why_not: Returns the reason against a name.
+        give: Called with the name that the operator has chosen.
     """
 
     label: Callable[[], str]

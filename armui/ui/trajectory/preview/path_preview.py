@@ -169,7 +169,7 @@ class PathPreview(QObject):
             self._set(replace(self._shown, path=replace(path, findings=findings), finding=ghost))
 
     def show_finding(self, finding: FindingMark) -> None:
-        """Have the ghost stand where a finding is, until another place is chosen."""
+        """Show the ghost at a finding until another place is chosen."""
         if self._path is not None and finding.joints_deg is not None:
             self._scrubbed, self._target_deg = True, None
             self._set(replace(self._shown, ghost_deg=finding.joints_deg, finding=finding))

@@ -334,7 +334,7 @@ class PreviewLink(QObject):
         self._preview.show_finding(finding)
 
     def _on_finding(self, finding: Finding) -> None:
-        """Have the ghost stand where a finding is, on the way or at a point."""
+        """Show the ghost at a finding, on the way or at a point."""
         tool = self._controller.cartesian.tool
         mark = None if self._shown is None else finding_mark(self._shown, finding, tool)
         if mark is not None:
@@ -463,7 +463,7 @@ class PreviewLink(QObject):
             self._turn_to(recorder)
 
     def _show_cut(self, cut: RecordingCut) -> None:
-        """Show the way of what is kept, its ends, and the arm at the end that was moved last."""
+        """Show the path of the kept part, its ends, and the ghost at the end moved last."""
         if self._shown is not None:
             self._shown = None
             self._preview.show(None)
@@ -500,7 +500,7 @@ class PreviewLink(QObject):
             self._preview.show_joint_range(None)
 
     def _on_left(self, page: Page) -> None:
-        """Forget a page that was left for good, and what was shown of it."""
+        """Drop a closed page, and remove its content from the picture."""
         if page is self._library:
             return
         self._pages.remove(page)

@@ -109,7 +109,7 @@ class RecordedCurves(Translated, QWidget):
         return QSize(400, 2 * _HEIGHT_PX)
 
     def place_px(self, at_s: float) -> float:
-        """Return the place of a time, from the left."""
+        """Return the x coordinate of a time, in pixels."""
         box, whole_s = self._box(), self._whole_s
         return box.left() + at_s / whole_s * box.width()
 

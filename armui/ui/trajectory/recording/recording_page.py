@@ -55,7 +55,7 @@ _AFTER_MS: Final = 250
 
 _GROW_MS: Final = 250
 _SEEN_SAMPLES: Final = 4000
-"""The last samples of a running recording are seen: 20 s at 200 Hz."""
+"""The number of last samples shown of a running recording: 20 s at 200 Hz."""
 _WRITE_MS: Final = 1000
 """The period of writing: the most that is lost when the program is killed."""
 
@@ -396,10 +396,10 @@ class RecordingPage(Page):
         self.cut_changed.emit()
 
     def _work_out(self, then: Callable[[Recording], object] | None = None) -> None:
-        """Cut and thin what was recorded as the fields say.
+        """Trim and thin the recording by the values of the fields.
 
         Args:
-            then: Gets what is left of it.
+            then: Called with the result.
         """
         self._drop_work()
         whole = self._recording

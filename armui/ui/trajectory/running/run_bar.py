@@ -519,7 +519,7 @@ class RunBar(Translated, QWidget):
         return self._runner.progress
 
     def goes_by(self, points: Sequence[Waypoint]) -> bool:
-        """Return whether the run under way, or the last one, goes by these points."""
+        """Return whether the run under way, or the last one, is of exactly these points."""
         return self._runner.goes_by(points)
 
     # Progress ---------------------------------------------------------------------------------
@@ -552,7 +552,7 @@ class RunBar(Translated, QWidget):
         return now is not None and reason is not None and now.reason == reason.reason
 
     def _why_not(self) -> str:
-        """Tell why nothing can be sent now; "" if it can."""
+        """Return why nothing can be sent now; "" if it can."""
         if self._nothing is not None:
             return words.refusal(self._nothing)
         if self._runner.running:

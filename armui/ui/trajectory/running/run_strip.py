@@ -45,7 +45,7 @@ _LEAST_PX: Final = 220
 """The width of the texts beside an obstacle, unless the run's buttons were there."""
 _UNBOUNDED_PX: Final = 10_000
 END_MS: Final = 5000
-"""The time that the end of a run is told; one that failed is told until it is put away."""
+"""The time for which the end of a run is shown; a failed run is shown until it is closed."""
 _SAID: Final = frozenset({RUN_SPEED_ZERO, RUN_STOPPED})
 """The reasons that the word for the phase already names."""
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress})
@@ -54,7 +54,7 @@ _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress}
 class RunStrip(HasActs, Translated, QWidget):
     """Visible from the beginning of a run until 5 s after its end, or the first press after it.
 
-    A run that failed is told until it is put away. It follows every run, of points or of a
+    A failed run is shown until it is closed. It follows every run, of points or of a
     recording.
 
     Args:
@@ -208,8 +208,8 @@ class RunStrip(HasActs, Translated, QWidget):
     def _tell_end(self, *, wanted: bool) -> None:
         """Show the end of a run until a time has passed, or until the first press anywhere.
 
-        One that failed is put away by its own button alone. Beside an obstacle no press elsewhere
-        puts it away, which might slide the obstacle's button under the pointer.
+        A failed one is closed only by its own button. Beside an obstacle no press elsewhere closes
+        it, which might move the obstacle's button under the pointer.
         """
         app = QApplication.instance()
         if wanted == self._tells_end or app is None:

@@ -192,7 +192,7 @@ class ColumnsPage(Page):
         return ColumnMapping(self._table.columns, move, self._speed.value(), tool, frame)
 
     def _list_origins(self, *_: object) -> None:
-        """List what poses may be of; what is in force is chosen, as it shows poses elsewhere."""
+        """List tools and frames for poses; those in force are selected, as in other views."""
         if self.busy:
             return
         control = self._controller.cell
@@ -221,7 +221,7 @@ class ColumnsPage(Page):
             widget.setVisible(poses and self._of.count() + self._in.count() > 2)
 
     def _likely_move(self) -> MoveMode | None:
-        """Return the first that the guessed columns suffice for; else what the most of them are of.
+        """Return the first result for which the columns suffice, else the one of most columns.
 
         Joint angles without time become points, poses points of MOVE P.
         """
@@ -233,13 +233,13 @@ class ColumnsPage(Page):
         return MoveMode.MOVE_P if poses else None
 
     def _fitting(self) -> list[MoveMode | None]:
-        """Return what the columns suffice for as they are."""
+        """Return the possible results for which the present columns suffice."""
         mapping = self.mapping
         return [one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one))]
 
     @property
     def _angles(self) -> tuple[ColumnQuantity, ...]:
-        """The angles of what is imported."""
+        """The angles among the quantities to be imported."""
         return JOINTS if self.mapping.move in (None, MoveMode.MOVE_J) else POSE[3:]
 
     def _on_move(self) -> None:
@@ -273,7 +273,7 @@ class ColumnsPage(Page):
         self._source.setText(self._describe())
 
     def _reason_against(self) -> str:
-        """Tell why it cannot be imported as it is now; "" if it can."""
+        """Return why the table cannot be imported with these choices; "" if it can."""
         if self._misread:
             return self._misread
         reason = columns.check_mapping(self.mapping)

@@ -56,7 +56,7 @@ class DialectBar(Translated, QWidget):
 
     @property
     def dialect(self) -> Dialect:
-        """The rest of the dialect, likewise."""
+        """The other parts of the dialect as set by the operator; ``None`` to guess one."""
         line = self._line.value() if self._line in self._said else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
 

@@ -203,7 +203,7 @@ class BusSummary(Translated, QWidget):
             snapshot: The counts.
             now_s: Monotonic time.
             counted: The text on the beginning of the count.
-            paused: The text that the figures are paused, which stands in their place; "" if they
+            paused: The text that the figures are paused, shown in their place; "" if they
                 are not.
             read_as: The text that the frames are read as those of a generation that is not known.
         """
@@ -487,7 +487,7 @@ class BusPage(Page):
         return index if viewport.rect().contains(inside) and index.isValid() else None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Show the menu of a frame."""
+        """Show the menu of a frame: curves, filter by its identifier, copying."""
         index = self._index_at(event.pos())
         if index is None:
             super().contextMenuEvent(event)

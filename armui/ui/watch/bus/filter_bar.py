@@ -91,7 +91,7 @@ class FilterBar(HasActs, Translated, QWidget):
 
     @property
     def wanted(self) -> FrameFilter:
-        """The present filter."""
+        """The filter as set by the controls."""
         return FrameFilter(
             text=self.text.text().strip(),
             ids=self._ids,

@@ -90,7 +90,7 @@ class FrameTexts:
         return None if layout is None else layout.name
 
     def name(self, arbitration_id: int, flags: int) -> str:
-        """Return the displayed name of a frame."""
+        """Return the displayed name of a frame: that of its message, or else its kind."""
         message = self.message(arbitration_id, flags)
         if message is not None:
             return message_name(message)

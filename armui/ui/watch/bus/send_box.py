@@ -96,7 +96,7 @@ class SendBox(HasActs, Translated, QWidget):
 
     @lock.pressed
     def close_lock(self) -> None:
-        """Lock the box."""
+        """Lock and hide the box, until it is unlocked again by a long press."""
         self._timer.stop()
         self._sent = ""
         self._show()

@@ -183,7 +183,7 @@ class EventBar(HasActs, Translated, QWidget):
 
     @property
     def wanted(self) -> EventFilter:
-        """The present filter."""
+        """The filter as set by the controls."""
         return EventFilter(
             kinds=frozenset(kind for kind, button in self.kinds.items() if button.isChecked()),
             who=self.askers.currentData(),
@@ -212,7 +212,7 @@ class EventBar(HasActs, Translated, QWidget):
         self._tell()
 
     def show_count(self, shown: int, kept: int) -> None:
-        """Show the number of events."""
+        """Show how many events pass the filter, and how many the log has."""
         text = self.tr("{shown} of {kept}").format(shown=fmt.count(shown), kept=fmt.count(kept))
         if self.count.text() != text:
             self.count.setText(text)

@@ -99,7 +99,7 @@ class EventPage(Page):
     # What is shown ----------------------------------------------------------------------------
 
     def refresh(self) -> None:
-        """Add new events."""
+        """Add the events logged since the last call, and their number."""
         if self.model.follow():
             self._show_newest()
         self._show_count()

@@ -182,7 +182,7 @@ class EventModel(TableModel):
         return self._log.newest - self._log.oldest + 1
 
     def set_filter(self, wanted: EventFilter) -> None:
-        """Set the filter."""
+        """Search the log again by another filter; the old rows stay until that is done."""
         if wanted != self._filter:
             self._filter = wanted
             self._rebuild()
@@ -207,7 +207,7 @@ class EventModel(TableModel):
         return row if row >= 0 else None
 
     def show_log(self, log: EventLog) -> None:
-        """Show another log."""
+        """Show the events of another log, under the present filter."""
         self._log = log
         self._texts.clear()
         self._rebuild()

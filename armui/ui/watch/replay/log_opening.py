@@ -87,7 +87,7 @@ class LogOpening(QObject):
         self._timer.timeout.connect(self._look)
 
     def begin(self) -> None:
-        """Begin to open the log."""
+        """Begin to open the log: by its index if it is a recording of ours, else by reading it."""
         if self._open_own is None:
             self._prepare()
         else:

@@ -140,7 +140,7 @@ class RecordedJoints(JointMonitor):
     """
 
     def cell(self, item: Item, joint: int) -> StatusCell:
-        """Return one cell of the table."""
+        """Return one cell of the table, without the beginning of a fault."""
         return super().cell(item, joint)._replace(since=None)
 
 

@@ -124,18 +124,18 @@ class TimeLine(Translated, QWidget):
         return self._from_s, self._to_s
 
     def place_px(self, at_s: float) -> float:
-        """Return the place of a time."""
+        """Return the x coordinate of a log time, in pixels."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         return _EDGE_PX + (at_s - self._from_s) / (self._to_s - self._from_s) * width_px
 
     def time_at(self, x_px: float) -> float:
-        """Return the time at a place."""
+        """Return the log time at an x coordinate in pixels."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         share = min(max((x_px - _EDGE_PX) / width_px, 0.0), 1.0)
         return self._from_s + share * (self._to_s - self._from_s)
 
     def told_at(self, x_px: float) -> list[str]:
-        """Return the texts of the marks at a place."""
+        """Return the texts of the marks at an x coordinate in pixels."""
         near_s = self.time_at(x_px + _NEAR_PX) - self.time_at(x_px)
         at_s = self.time_at(x_px)
         found = []
