@@ -38,7 +38,9 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _LISTEN_MS: Final = 2000
+"""The time in which frames are counted after a change of the adapter."""
 _TYPED_MS: Final = 300
+"""The delay after a key, so that a plan is not requested for each letter of the name."""
 _SIZE_PX: Final = (720, 520)
 
 

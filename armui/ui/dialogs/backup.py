@@ -405,6 +405,7 @@ class BackupDialog(ArmDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Read the arm at each opening."""
         super().showEvent(event)
+        # the window system shows it again, as after minimizing: not an opening
         if event.spontaneous():
             return
         if self._restoring:

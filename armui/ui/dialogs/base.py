@@ -49,7 +49,7 @@ def place(dialog: QDialog) -> None:
     # a window that was moved partly off the screen may have its dialogs there, too
     screen = window.screen().availableGeometry().marginsRemoved(FRAME)
     reach = screen if window is dialog else screen.united(window.geometry())
-    dialog.ensurePolished()
+    dialog.ensurePolished()  # the size hint depends on the theme's fonts
     wanted = dialog.size().expandedTo(dialog.sizeHint())
     if not isinstance(window, HasRoomForQuestions):
         dialog.resize(dialog.size().boundedTo(QSize(window.width(), reach.height())))
@@ -184,6 +184,7 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
     def moveEvent(self, event: QMoveEvent) -> None:
         """Remember that the operator has moved the dialog: it reopens at the same place."""
         super().moveEvent(event)
+        # moves by the program itself are not spontaneous
         if event.spontaneous() and self.isVisible():
             self._moved = True
 

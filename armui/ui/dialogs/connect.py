@@ -417,7 +417,7 @@ class ConnectDialog(ArmDialog):
         layout = self.layout()
         if layout is None:
             return
-        layout.activate()
+        layout.activate()  # else the layout still has the height of the text before
         wanted = layout.totalMinimumHeightForWidth(self.width())
         self.resize(self.width(), max(self.height(), wanted))
 

@@ -211,6 +211,7 @@ class InspectionDialog(ArmDialog):
         from armui.ui.dialogs.inspection_report import document  # noqa: PLC0415 - numpy
 
         made = document(report, self._arm(), colors_of(self), self.font())
+        # the view does not own a document: without a parent Python would delete it
         made.setParent(self.report_view)
         self.report_view.setDocument(made)
 

@@ -41,6 +41,7 @@ _LIST_WIDTH_PX: Final = 260
 _SHOWN_BYTES: Final = 100_000
 """The bytes shown of either end of a large file: a text of 40 MB would hold up window and stop."""
 _HANGS_MS: Final = 10_000
+"""The time after which a disk that has not answered counts as hanging."""
 
 
 class ProblemReportDialog(ArmDialog):

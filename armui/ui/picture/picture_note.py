@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from armui.viewport.view import ArmView
 
 _LONG_MS: Final = 6000
+"""The time for which a note is shown, unless it stays."""
 _LOOK_MS: Final = 250
 """The period of checking whether the arm has moved behind the visible note."""
 _WIDEST_PX: Final = 420

@@ -52,6 +52,7 @@ FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 _LEAD_DEG_S: Final = 30.0
 """The speed of a careful hand: far below the one at which drag teaching ends."""
 _LOOK_MS: Final = 100
+"""The period of following the typed target and the arm."""
 _ELSEWHERE_DEG: Final = 0.05
 """A ghost nearer to the arm than this would coincide with it."""
 

@@ -9,6 +9,7 @@ from armui.system.atomic import write_whole
 from armui.system.files import read_file
 
 _MOST_BYTES: Final = 1 << 16
+"""A larger file is no layout, and is ignored."""
 
 
 def path_beside(settings: Path) -> Path:

@@ -37,6 +37,7 @@ PICTURE_MS: Final = 80
 """The period of drawing: twelve pictures a second, fewer of a long time."""
 _STEP_PX: Final = 2.0
 _SLOWEST_MS: Final = 500
+"""The longest period of drawing, however long the time shown."""
 _VALUES_EVERY_S: Final = 0.25
 """The period of updating the figures beside the names."""
 CURSORS: Final = 2
@@ -169,6 +170,7 @@ class PlotBoard(QWidget):
             self._choose(place)
             self._area.ensureWidgetVisible(self.panes[place])
         elif place < len(self.plot_layout.plots):
+            # the plot is not created yet: try again soon
             QTimer.singleShot(_BREATH_MS, self, lambda: self.reveal(place))
 
     def _after_change(self) -> None:

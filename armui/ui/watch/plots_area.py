@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 _KEEP_AFTER_MS: Final = 1000
+"""The delay after the last change, before the layout is written to the disk."""
 
 
 class PlotsArea(QWidget):

@@ -172,7 +172,7 @@ class EditorPage(Page):
         super().__init__("editor", footed=True)
         self._controller = controller
         self._work = work
-        work.setParent(self)
+        work.setParent(self)  # with this page deleted, `LibraryWork` drops its results
         self._library = work.library
         self._saving = False
         self._tells_saved = False

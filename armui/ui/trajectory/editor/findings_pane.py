@@ -227,7 +227,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         """Fit the height, because lines wrap differently in another width."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            QTimer.singleShot(0, self, self._fit)
+            QTimer.singleShot(0, self, self._fit)  # the list gets its new width after this event
         # later it would disturb other work; with a button down the pressed widget would move away
         if time.monotonic() - self._shown_s < _COMES_S and not QGuiApplication.mouseButtons():
             self.placed.emit()

@@ -41,6 +41,7 @@ _FIELD_PX: Final = 62
 _COLOR_PX: Final = 130
 _ALL: Final = "all"
 _HOLDS_NOTHING: Final = 1
+"""The index of the entry for an empty hand; 0 is that for no change."""
 _JOINTS: Final = 6
 
 
@@ -304,7 +305,7 @@ class PointDelegate(QStyledItemDelegate):
         self.closeEditor.emit(editor)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:  # noqa: N802 - Qt's name
-        """Show the cell's content; what is being typed stays if the row only looks otherwise."""
+        """Show the cell's content, unless another one is being typed: rows are also repainted."""
         typed = isinstance(editor, QLineEdit) and editor.isModified()
         if isinstance(editor, CellEditor) and not typed:
             editor.set_text(str(index.data(Qt.ItemDataRole.EditRole)))

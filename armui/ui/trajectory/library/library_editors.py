@@ -179,7 +179,7 @@ class LibraryEditors(QObject):
             self._editors[self._used].insert_current()
 
     def _on_left(self, name: str) -> None:
-        self._editors.pop(name).deleteLater()
+        self._editors.pop(name).deleteLater()  # not at once: the page is emitting the signal
         self.changed.emit(None)
 
     def keep_drafts(self) -> None:

@@ -163,7 +163,7 @@ class LibraryWatch(QObject):
         self._listed, self._names = times, tuple(names)
 
     def _ask(self) -> None:
-        if self._asked is None:
+        if self._asked is None:  # one request at a time: a hanging disk must not collect them
             self._asked = Job(self._on_answer)
             self._background.begin_here(self._asked, folder_times, self._folder, self._names)
 
@@ -171,5 +171,6 @@ class LibraryWatch(QObject):
         self._asked = None
         if isinstance(found, Refusal) or not isValid(self):
             return
+        # a change this recent may have been missed by the listing
         if any(at is None or at != self._listed.get(name, at) for name, at in found.items()):
             self.changed.emit()

@@ -174,6 +174,7 @@ def cut_picture(
 _ROUNDED_S: Final = 0.0005
 """The rounding of the fields, which show milliseconds: the last sample may be a bit later."""
 _LEAST_S: Final = 1e-6
+"""The least time between two samples, so that a speed is never divided by zero."""
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
 """The decimals of targets, as they are sent and shown in the table."""
@@ -351,7 +352,7 @@ class PreviewLink(QObject):
                 self._turn_to(page)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow the pages as they are shown, hidden and brought to the front."""
+        """Show the content of the page that is shown or brought to the front last."""
         if event.type() in _SHOWN:
             self._turn_to(next(page for page in self._pages if page is watched))
         elif event.type() == QEvent.Type.Hide and watched is self._page:

@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 _TOLERANCE_DEG: Final = 0.1
+"""The default deviation that thinning may cause."""
 _FIELD_PX: Final = 120
 _AFTER_MS: Final = 250
 """The delay after a key: half an hour of samples is not thinned at each one."""

@@ -302,6 +302,7 @@ class RunBar(Translated, QWidget):
         self._name, self._speeds = name, speeds
         self._what = (name, count, tuple(speeds), recording, state)
         self._recording, self._nothing, self._unsaved = recording, nothing, unsaved
+        # a row lowered by the new maximum is not the operator's choice
         with QSignalBlocker(self._first):
             self._first.setMaximum(max(1, count))
         self._on_shared(name)
@@ -344,6 +345,7 @@ class RunBar(Translated, QWidget):
             return
         wanted = self._shared.of(name)
         if wanted != self._options():
+            # what is only shown must not be stored as a new choice
             blocked = [QSignalBlocker(widget) for widget in self._choices]
             often = {1: _ONCE, ENDLESS: _LOOP}.get(wanted.cycles, _TIMES)
             self._cycles.setCurrentIndex(often)

@@ -235,6 +235,7 @@ class RunStrip(HasActs, Translated, QWidget):
         # `event.type()` of every event of the program would take ten times as long in Python
         pressed = isinstance(event, QMouseEvent | QKeyEvent) and event.type() in _PRESSES
         if pressed and not self._beside:
+            # after the press has reached its widget, which hiding might move
             QTimer.singleShot(0, self, self.hide)
         return super().eventFilter(watched, event)
 

@@ -188,6 +188,7 @@ _ROWS: Final = 10
 _MOST_COLUMNS: Final = 60
 """The most columns shown beside those that a title names."""
 _LONGEST_CELL: Final = 200
+"""The most characters of a cell that are shown."""
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
 """The quantities that share a unit in most files."""
 
@@ -351,7 +352,7 @@ def _shown(sheet: Sheet) -> list[int]:
 def _rows_of(model: _Preview) -> QTableView:
     """Return a table as large as what it shows: it is moved together with the choices above it."""
     table = named("columns_preview", QTableView())
-    model.setParent(table)
+    model.setParent(table)  # a view does not own its model: without a parent Python would delete it
     table.setModel(model)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
     table.setFocusPolicy(Qt.FocusPolicy.NoFocus)

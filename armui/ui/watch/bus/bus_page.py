@@ -64,7 +64,9 @@ _SOON_MS: Final = 5
 _RUNNING_FRAMES: Final = 300
 """The frames shown in order of time while they run; all kept ones are shown in a pause."""
 _OLD_S: Final = 1.0
+"""Older figures of load and rates are not shown."""
 _BUSY_PERCENT: Final = 80.0
+"""The bus load from which on a warning is shown."""
 _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
 _ICON_PX: Final = 16
 _INDENT_PX: Final = 22

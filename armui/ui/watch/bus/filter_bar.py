@@ -20,6 +20,7 @@ from armui.ui.words import frames
 _IDS_PX: Final = 140
 _TEXT_PX: Final = 140
 _BOLDER: Final = 1.15
+"""The width of a bold text relative to a normal one."""
 
 
 class FilterBar(HasActs, Translated, QWidget):
@@ -160,7 +161,7 @@ class FilterBar(HasActs, Translated, QWidget):
         self.ids.setAccessibleName(self.tr("Identifiers"))
         self._tip_ids("")
         chosen = max(0, self.senders.currentIndex())
-        with QSignalBlocker(self.senders):
+        with QSignalBlocker(self.senders):  # filling the list again must not change the filter
             self.senders.clear()
             self.senders.addItem(self.tr("All senders"))
             self.senders.addItems([frames.frame_sender(sender) for sender in Sender])

@@ -271,7 +271,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         settings = self._store.settings
         self.format_box.setCurrentIndex(self.format_box.findData(settings.session_format))
         if not self.size_box.hasFocus():
-            before = self.size_box.blockSignals(True)
+            before = self.size_box.blockSignals(True)  # showing the setting must not store it again
             self.size_box.setValue(settings.session_rotate_mb)
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))

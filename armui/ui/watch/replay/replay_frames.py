@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.ui.widgets.table_model import Index
 
 _SAME_S: Final = 1e-6
+"""Times nearer than this are equal but for rounding."""
 _SOON_S: Final = 0.05
 """More frames are read when the time is this near to the end of those loaded."""
 

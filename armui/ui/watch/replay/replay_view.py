@@ -65,6 +65,7 @@ if TYPE_CHECKING:
 
 
 _LOOK_MS: Final = 33
+"""The period of updating: 30 pictures a second."""
 _PICTURE_PX, _TABS_PX = 480, 900
 _HEADER_PAD_PX: Final = 16
 _MARK_PX: Final = 40

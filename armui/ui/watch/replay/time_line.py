@@ -53,6 +53,7 @@ _NEAR_PX: Final = 5.0
 _LEAST_PX: Final = 2.0
 _MOST_TOLD: Final = 8
 _CLOSEST_S: Final = 0.05
+"""The length of time shown at the closest zoom."""
 _WHEEL: Final = 1.25
 _STEP_S: Final = 1.0
 _SMALL_STEP_S: Final = 0.1
