@@ -192,5 +192,5 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
         """Set all texts in the operator's language; called again when that changes."""
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer to show the figure as a curve."""
+        """Offer to show the figure under the pointer as a curve."""
         offer_curves(self, event)

@@ -131,7 +131,7 @@ class FileDialog(QFileDialog):
             self.setDefaultSuffix(Path(new_file).suffix)
         self.setNameFilter(name_filter)
         self.setModal(False)
-        # Qt begins in the folder that it showed last; in the process's own before the first
+        # Qt begins in the folder shown last, but at first in the process's working directory
         if start is None and self.directory() == QDir.current():
             start = Path.home()
         if start is not None:

@@ -1,4 +1,4 @@
-"""Keeps the cell in the picture: work area, user frames, what the hand holds, the base."""
+"""Shows the cell in the picture: work area, user frames, what the hand holds, the base."""
 
 from __future__ import annotations
 

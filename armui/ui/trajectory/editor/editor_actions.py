@@ -155,7 +155,7 @@ class EditorHint(TableHint):
         table.model().rowsInserted.connect(self._show_if_empty)
         table.model().rowsRemoved.connect(self._show_if_empty)
         table.model().modelReset.connect(self._show_if_empty)
-        # the opened jog box has the same button
+        # the opened jog box has a button with the same effect
         actions["jog"].toggled.connect(self._buttons[0].setHidden)
         self.retranslate_ui()
         self._show_if_empty()

@@ -161,7 +161,7 @@ class GripperEditor(_Row):
         self._on_kind(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take a figure typed on the kind as the place: an opening, unless an angle is chosen."""
+        """Put a digit typed on the kind into the field for the opening, or the angle if chosen."""
         typed = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress
         if not (typed and event.text().isdigit()):  # type: ignore[attr-defined]  # a key's
             return super().eventFilter(watched, event)

@@ -252,7 +252,7 @@ class PointsTable(QTableView):
         return range(first, self.points.rowCount() if last < 0 else last + 1)
 
     def _band(self, row: int) -> QRect:
-        """Return where a row is seen, from edge to edge."""
+        """Return the rectangle of a row over the whole width of the table."""
         top, height = self.rowViewportPosition(row), self.rowHeight(row)
         return QRect(0, top, self.viewport().width(), height)
 

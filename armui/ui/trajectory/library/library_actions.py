@@ -90,9 +90,9 @@ class LibraryActions(HasActs, QObject):
         """Put an empty trajectory into the library.
 
         Args:
-            name: What it is called.
-            then: Gets it, once it is there.
-            refused: Gets the words why there is none.
+            name: Its name.
+            then: Called with it once it exists.
+            refused: Called with the reason as a text, if it could not be created.
         """
 
         def make() -> Trajectory:
@@ -150,9 +150,9 @@ class LibraryActions(HasActs, QObject):
         """Make a sub-folder.
 
         Args:
-            name: What it is called.
-            then: Called once it is there.
-            refused: Gets the words why there is none.
+            name: Its name.
+            then: Called once it exists.
+            refused: Called with the reason as a text, if it could not be created.
         """
         self._change_folders(lambda: self._library.create_folder(name), then, refused)
 

@@ -174,7 +174,7 @@ class LibraryEditors(QObject):
         self._used = name
 
     def _insert_current(self) -> None:
-        """Make a point of where the arm is, in the editor that was used last."""
+        """Insert the arm's position as a point in the editor that was used last."""
         if self._used in self._editors:
             self._editors[self._used].insert_current()
 

@@ -406,7 +406,7 @@ class LibraryPage(Page):
             unsaved=one is not None and self._model.has_unsaved(one.name),
         )
         self._run_bar.show_secondary(one is not None and self._model.has_errors(one))
-        if chosen:  # while the list is made anew, nothing is chosen for a moment
+        if chosen:  # while the list is rebuilt, nothing is selected for a moment
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
@@ -416,7 +416,7 @@ class LibraryPage(Page):
     # Durations --------------------------------------------------------------------------------
 
     def _estimate(self) -> None:
-        """Have some worked out whose length is not known; then the next ones, while it is seen."""
+        """Estimate some unknown lengths in the background, then the next ones while visible."""
         names = self._model.unestimated()
         if not names or self._estimating or not self.isVisible():
             return

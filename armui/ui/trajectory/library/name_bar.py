@@ -70,7 +70,7 @@ class NameBar(HasActs, Translated, QWidget):
         self.retranslate_ui()
 
     def ask(self, question: NameQuestion) -> None:
-        """Show it with a name that can be taken over or typed over."""
+        """Show the line with the suggested name, which can be typed over."""
         self._question, self._given = question, False
         self._field.setText(question.suggest())
         self.retranslate_ui()

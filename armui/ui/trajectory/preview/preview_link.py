@@ -396,7 +396,7 @@ class PreviewLink(QObject):
         self._watch(editor)
 
     def _on_preview(self, checked: Preflight | None) -> None:
-        """Take a check of the library page, or of the recording seen; drop the library's."""
+        """Show a check of the library page or the visible recording; None drops the library's."""
         if checked is None:
             self._take(self._library, None)
             return

@@ -58,7 +58,7 @@ _GROW_MS: Final = 250
 _SEEN_SAMPLES: Final = 4000
 """The number of last samples shown of a running recording: 20 s at 200 Hz."""
 _WRITE_MS: Final = 1000
-"""The period of writing: the most that is lost when the program is killed."""
+"""The period of writing, and the most that is lost if the program is killed."""
 
 
 class RecordingKeeper(QObject):

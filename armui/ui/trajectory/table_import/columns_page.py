@@ -247,7 +247,7 @@ class ColumnsPage(Page):
         self._move_said = True
 
     def _read_anew(self) -> None:
-        """Read the file as the operator says; where that is not possible, say why."""
+        """Read the file again by the chosen dialect; show the reason if that is not possible."""
         bar = self._dialect_bar
         try:
             self._file = self._file.read_anew(bar.encoding, bar.dialect)

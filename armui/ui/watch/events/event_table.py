@@ -347,7 +347,7 @@ def _begin_s(entry: EventEntry) -> float:
 
 
 class EventTable(QTableView):
-    """Shows events.
+    """The table of events; its columns are as wide as their longest texts.
 
     Args:
         model: The events.
