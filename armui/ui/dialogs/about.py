@@ -1,4 +1,4 @@
-"""The window «About armui»: version, files of another version, and the licences of all of it."""
+"""The window «About armui»: version, files taken over from another version, and licences."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class AboutDialog(ArmDialog):
         self.retranslate_ui()
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("About armui"))
         self.show_acts()
         self.list.setAccessibleName(self.tr("Licences"))
@@ -96,14 +96,14 @@ class AboutDialog(ArmDialog):
         self._facts.setText(self.facts())
 
     def open(self) -> None:
-        """Show the dialog and look anew."""
+        """Show the dialog, and read what was taken over and the licences again."""
         super().open()
         self._message.show_message("")
         self._background.begin_here(Job(self._on_taken_over), taken_over, self._settings)
         self._background.begin_here(Job(self._on_licences), licences)
 
     def facts(self) -> str:
-        """Return what is known of the program, a line each."""
+        """Return version, kind of installation, system and taken-over files, a line each."""
         way = (
             self.tr("installed package")
             if is_packaged()
@@ -133,7 +133,7 @@ class AboutDialog(ArmDialog):
             sessions=found.files.get("sessions", 0),
         )
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_taken_over(self, found: TakenOver | Refusal | None) -> None:
         self._taken_over = None if isinstance(found, Refusal) else found

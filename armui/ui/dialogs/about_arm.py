@@ -1,6 +1,6 @@
 """The window «About this arm»: facts on it for the operator and for a support mail (B17).
 
-Each value was heard, read or set; values that the arm does not report are shown as unknown.
+Each value was received, read or set; values that the arm does not report are shown as unknown.
 """
 
 from __future__ import annotations
@@ -44,10 +44,12 @@ from armui.ui.words.text import Texts
 _SIZE_PX: Final = (720, 720)
 _REFRESH_MS: Final = 1000
 _LEAST_S: Final = 0.5
+"""The shortest time over which the rate of frames is measured."""
 _COLUMN_GAP_PX: Final = 28
 _ROW_GAP_PX: Final = 4
 _FEEDBACK: Final = (0x2A1, 0x2A8)
 _COMMANDS: Final = (0x150, 0x15F)
+"""The first and last identifiers of feedback and commands, without the offsets of 0x470."""
 _LABELS: Final = Texts("AboutArm") | {
     "model": "Model",
     "firmware": "Firmware",

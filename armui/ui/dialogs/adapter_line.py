@@ -38,7 +38,9 @@ from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
 
 _LISTEN_MS: Final = 2000
+"""The time in which frames are counted after a change of the adapter."""
 _TYPED_MS: Final = 300
+"""The delay after a key, so that a plan is not requested for each letter of the name."""
 _SIZE_PX: Final = (720, 520)
 
 
@@ -78,8 +80,8 @@ class AdapterLine(Translated, QWidget):
             has read the disk.
 
     Attributes:
-        listens_elsewhere: True if whoever follows `changed` listens to an interface by that, and
-            tells `tell_heard` what was found: two programs on one adapter take each other's frames.
+        listens_elsewhere: Returns whether the owner listens to an interface at `changed`, and calls
+            `tell_heard` then: two programs that read one adapter take each other's frames.
 
     Signals:
         changed: The helper has changed something: earlier findings are outdated.
@@ -125,7 +127,7 @@ class AdapterLine(Translated, QWidget):
         self.cancel_button.setText(self.tr("Cancel"))
 
     def text(self) -> str:
-        """Return the present text."""
+        """Return the message as shown."""
         return self._line.text()
 
     def is_there(self) -> bool:
@@ -171,7 +173,7 @@ class AdapterLine(Translated, QWidget):
         self._number += 1
         self.cancel_button.hide()
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, answer: Answer) -> None:
         if number != self._number or self._change is None:
@@ -219,7 +221,7 @@ class AdapterLine(Translated, QWidget):
         self.changed.emit()
 
     def _listen(self, interface: str) -> None:
-        """Listen to the interface: frames prove that it works, the answer of the system doesn't."""
+        """Listen to the interface: only received frames prove that it works."""
         said = self.tr("{channel} is switched on; listening whether anything is heard…")
         self._say(said.format(channel=interface), busy=True)
         number = self._number
@@ -251,7 +253,7 @@ class AdapterLine(Translated, QWidget):
         self._say(said.format(channel=interface), Level.WARNING)
 
     def tell_heard(self, findings: list[Diagnosis] | str) -> None:
-        """Take in what another examination has found, where this one waits for it."""
+        """Show the findings of the owner's examination, if this line waits for them."""
         interface, self._waits_for = self._waits_for, ""
         if not interface:
             return
@@ -275,7 +277,7 @@ class AdapterLine(Translated, QWidget):
             return
         self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
         self._line.show_message(text, level)

@@ -59,7 +59,7 @@ BACKUP_NOTHING_READ = Reason(
 
 _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
-"""The most lines of a question."""
+"""The most values beyond the factory's that the question before restoring lists."""
 _NARROWEST_COLUMN_PX: Final = 84
 Said = tuple[str, Level]
 """A text and its severity."""
@@ -241,7 +241,7 @@ class BackupModel(TableModel):
             self._restored = set(restored)
             self.redraw()
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; only parameters that can be restored can be ticked."""
@@ -322,7 +322,7 @@ class DifferencesOnly(QSortFilterProxyModel):
     def filterAcceptsRow(  # noqa: N802 - the name Qt calls
         self, source_row: int, _parent: Index
     ) -> bool:
-        """Return whether a row is shown."""
+        """Return whether a row differs, or all rows are wanted."""
         return not self._only or self._model.rows[source_row].verdict is not ComparisonVerdict.SAME
 
 
@@ -405,6 +405,7 @@ class BackupDialog(ArmDialog):
     def showEvent(self, event: QShowEvent) -> None:
         """Read the arm at each opening."""
         super().showEvent(event)
+        # the window system shows it again, as after minimizing: not an opening
         if event.spontaneous():
             return
         if self._restoring:
@@ -429,7 +430,7 @@ class BackupDialog(ArmDialog):
         self._restoring = {}
         self._model.follow([])
         self._could_read = bool(self._known())
-        # a refusal is not kept: the message shows the reason for as long as it holds
+        # a refusal need not be stored: `_show_all` shows the reason for as long as it holds
         self._reader.start()
         self._say("")
 
@@ -478,7 +479,7 @@ class BackupDialog(ArmDialog):
         self._background.begin_here(self._reading_file, read_backup, path)
 
     def _drop_file(self) -> None:
-        """Wait for the file being read no more: another one is wanted, or none."""
+        """Cancel the reading of a file, because another one or none is wanted."""
         if self._reading_file is not None:
             self._reading_file.wanted = False
             self._reading_file = None
@@ -542,7 +543,7 @@ class BackupDialog(ArmDialog):
             self._model.follow([])
             self._refuse(answer)
 
-    # What the arm says ------------------------------------------------------------------------
+    # Feedback of the arm ----------------------------------------------------------------------
 
     def _on_progress(self, done: int, total: int) -> None:
         self.progress.setRange(0, total)
@@ -567,12 +568,12 @@ class BackupDialog(ArmDialog):
         self._say(*restored_text(len(cells), failed))
 
     def _on_state(self, _state: ArmState) -> None:
-        """Show what is heard while nothing is read from here: another panel's or host's answer."""
+        """Compare again when values arrive that another panel or host has asked the arm for."""
         if self.isVisible() and self._rows() not in ([], self._model.rows):
             self._compare()
 
     def _on_operating_state_changed(self, _operating_state: OperatingState) -> None:
-        """Read an arm that is there now, or there again: it has not said anything yet."""
+        """Read the parameters when the arm becomes reachable while the dialog is open."""
         if not self.isVisible():
             return
         could_read, self._could_read = self._could_read, bool(self._known())
@@ -580,7 +581,7 @@ class BackupDialog(ArmDialog):
             self._reader.start()
         self._show_all()
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _known(self) -> list[Parameter]:
         batches = self._settings.everything()
@@ -613,7 +614,7 @@ class BackupDialog(ArmDialog):
 
     def _show_all(self) -> None:
         if not self.isVisible():
-            return  # all is read and shown anew when the window is opened
+            return  # each opening reads and shows everything again
         self._compare()
         self._origin.setText(origin_text(self._backup, self._path))
         self._show_possible()

@@ -49,7 +49,7 @@ def place(dialog: QDialog) -> None:
     # a window that was moved partly off the screen may have its dialogs there, too
     screen = window.screen().availableGeometry().marginsRemoved(FRAME)
     reach = screen if window is dialog else screen.united(window.geometry())
-    dialog.ensurePolished()
+    dialog.ensurePolished()  # the size hint depends on the theme's fonts
     wanted = dialog.size().expandedTo(dialog.sizeHint())
     if not isinstance(window, HasRoomForQuestions):
         dialog.resize(dialog.size().boundedTo(QSize(window.width(), reach.height())))
@@ -60,7 +60,7 @@ def place(dialog: QDialog) -> None:
     wish = Place(left, room.y() + _EDGE_PX, width, wanted.height())
     there = _rect_of(fitted(wish, [place_of(reach)]))
     if there.size() == wanted:
-        dialog.move(there.topLeft())  # Qt sizes it as it is shown
+        dialog.move(there.topLeft())  # Qt gives it its wanted size when it is shown
     else:
         dialog.setGeometry(there)
 
@@ -184,6 +184,7 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
     def moveEvent(self, event: QMoveEvent) -> None:
         """Remember that the operator has moved the dialog: it reopens at the same place."""
         super().moveEvent(event)
+        # moves by the program itself are not spontaneous
         if event.spontaneous() and self.isVisible():
             self._moved = True
 
@@ -191,5 +192,5 @@ class ArmDialog(HasActs, Translated, KeepsFocus, QDialog):
         """Set all texts in the operator's language; called again when that changes."""
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer to show the figure as a curve."""
+        """Offer to show the figure under the pointer as a curve."""
         offer_curves(self, event)

@@ -32,7 +32,7 @@ _TEXT_WIDTH_PX: Final = 520
 
 
 def below(controller: ArmController) -> str:
-    """Return what of the work area is below an arm that sinks, as a line of its own, or ""."""
+    """Return a line on the parts of the work area below a sinking arm; "" if there are none."""
     names = controller.area_guard.below()
     said = QCoreApplication.translate(
         "ConfirmDialog", "The work area does not hold it then: below the arm is {names}."
@@ -67,7 +67,7 @@ def confirm(
         concerns_arm: True to withdraw it when another arm or none is connected; see
             `ConfirmDialog`.
         still: Returns whether its text still holds; otherwise it is withdrawn.
-        sinks: The arm sinks by it: what of its work area is below it is said, too.
+        sinks: True if the action lets the arm sink: the text then names what is below it, too.
         on_withdrawn: Called with the reason if the question is withdrawn; for a window that hides
             the line in which that is told.
 
@@ -103,15 +103,15 @@ def drive(
     answered: Callable[[Started | Refusal], object],
     about: Callable[[], object],
 ) -> None:
-    """Send a single motion; one that leads below the floor is asked about, by a button to hold.
+    """Send a single motion; ask first, with a button to hold, if it leads below the floor.
 
     Args:
         parent: The part of a window that asks.
         controller: Receives the emergency stop.
         move: Sends the motion, given the height down to which the operator agrees to go.
         answered: Called with the answer to the motion; not at all if the operator says no.
-        about: Returns what the motion was taken from, as the figures in the fields: other ones
-            withdraw the question.
+        about: Returns what the motion was made from, such as the figures in the fields; a change
+            of it withdraws the question.
     """
     answer = move(0.0)
     if not isinstance(answer, Refusal) or answer.reason is not LEADS_BELOW:
@@ -187,7 +187,7 @@ class ConfirmDialog(ArmDialog):
 
         self._hint = text_label(rank="muted")
         self._hint.setVisible(hold)
-        action_label = action_label.rstrip("…")  # what asked had it: this acts
+        action_label = action_label.rstrip("…")  # “…” announces a question; this button acts
         self.action_button: QPushButton
         if hold:
             self.action_button = HoldButton(controller, action_label)
@@ -227,11 +227,11 @@ class ConfirmDialog(ArmDialog):
             self.holds()
 
     def show_text(self, text: str) -> None:
-        """Replace the text."""
+        """Replace the question's text while it is open."""
         self._text.setText(text)
 
     def text(self) -> str:
-        """Return the text."""
+        """Return the question's text as it is shown."""
         return self._text.text()
 
     def retranslate_ui(self) -> None:
@@ -303,7 +303,7 @@ class LeaveQuestion(SaveQuestion):
 class CloseQuestion(ConfirmDialog):
     """A question with the choices to end the motion and close, let it finish and close, or stay.
 
-    It is withdrawn once nothing moves any more: it would say what is not so.
+    It is withdrawn as soon as nothing moves any more, because its text is wrong then.
 
     Signals:
         let_finish: The program shall close and the arm go on to its target; `accepted` means that

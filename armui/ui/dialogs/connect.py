@@ -69,7 +69,7 @@ Leaving = Callable[[QWidget, Callable[[], object]], object]
 """Called with the window that asks and a function to go on with, now or once the operator agrees.
 """
 _MOST: Final = 1
-"""Only the gravest is shown: 诊断 lists all of them."""
+"""The most faults of an adapter shown here, the gravest first: 诊断 lists all of them."""
 
 
 class ManualEntry(HasActs, Translated, QWidget):
@@ -142,7 +142,7 @@ class AdapterTrouble(Translated, QWidget):
         adapter: Sets an adapter up by a click; without it commands are shown for copying.
 
     Signals:
-        told: The text has changed, so that it needs other room.
+        told: The text has changed, and with it the height it needs.
     """
 
     told = Signal()
@@ -287,7 +287,8 @@ class ConnectDialog(ArmDialog):
             self.bitrate_box.addItem("", bitrate)
         for box in (self.bitrate_box, self.model_choice.box):
             box.setMinimumWidth(_BOX_PX)
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)  # in any language
+            # texts of any language fit
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._bitrate_label.setBuddy(self.bitrate_box)
         self._bitrate_hint = text_label(rank="muted")
         self.listen_only_box = named("listen_only_box", QCheckBox())
@@ -363,7 +364,7 @@ class ConnectDialog(ArmDialog):
             self._before_leaving(self, lambda: self._leave_unless_moving(action))
 
     def _leave_unless_moving(self, action: Callable[[], object]) -> None:
-        """Do it; but ask before, if a moving arm would be left to itself."""
+        """Act; but ask first if a moving arm would be left without the emergency stop."""
         if not self._operating_state.moving:
             action()
             return
@@ -391,7 +392,7 @@ class ConnectDialog(ArmDialog):
         self.model_choice.show_device(device, self._operating_state)
         self._refresh()
 
-    # What the controller tells ----------------------------------------------------------------
+    # Signals of the controller ----------------------------------------------------------------
 
     def _on_devices_found(self, devices: Sequence[Device]) -> None:
         self._model.show_found(devices)
@@ -409,18 +410,18 @@ class ConnectDialog(ArmDialog):
         self._refresh()
         online = operating_state.link is LinkState.ONLINE
         if online and self._wanted is not None and self._is_connected(self._wanted):
-            self.close()  # the dialog has done its work, and covers the arm
+            self.close()  # connected: it would only cover the arm
 
     def _make_room(self) -> None:
-        """Grow to what is said of an adapter: no line of it is cut off."""
+        """Grow until the text on the adapter's fault is visible as a whole."""
         layout = self.layout()
         if layout is None:
             return
-        layout.activate()
+        layout.activate()  # else the layout still has the height of the text before
         wanted = layout.totalMinimumHeightForWidth(self.width())
         self.resize(self.width(), max(self.height(), wanted))
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _selected(self) -> Device | None:
         rows = self._table.selectionModel().selectedRows()

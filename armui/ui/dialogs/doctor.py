@@ -78,13 +78,13 @@ def judge_connected(controller: ArmController, *, frames: int, seconds: float) -
 def with_connected(
     controller: ArmController, findings: list[Diagnosis], *, frames: int, begun_s: float
 ) -> list[Diagnosis]:
-    """Return findings with those about the arm on the open device in the place of others.
+    """Replace the findings on arms by those on the arm on the open device, if there is one.
 
     Args:
-        controller: Who hears it.
-        findings: Of an examination, which leaves an open device alone.
-        frames: So many had been received when it began.
-        begun_s: When that was, by `time.monotonic`.
+        controller: Gives the state of the connected arm.
+        findings: Those of an examination, which does not listen to an open device.
+        frames: The number of frames received before it began.
+        begun_s: The time at which it began, by `time.monotonic`.
     """
     seconds = time.monotonic() - begun_s
     heard = max(0, controller.state.frames - frames)
@@ -186,7 +186,7 @@ class DoctorDialog(ArmDialog):
 
     def _arguments(self) -> list[str]:
         if self._controller.operating_state.device is not None:
-            return ["--no-listen"]  # two programs on one adapter: one of them would lose it
+            return ["--no-listen"]  # two programs on one adapter take each other's frames
         device = self._device
         if device is None or device.simulated:
             return []
@@ -218,7 +218,7 @@ class DoctorDialog(ArmDialog):
         answers = any(each.kind == ARM for each in findings)
         return as_text(findings, WORDS, arm_answers=answers, asked=False)
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, answer: Any) -> None:
         if number != self._number:
@@ -289,14 +289,14 @@ class DoctorDialog(ArmDialog):
         self._area.viewport().setAutoFillBackground(False)
 
     def _add_rows(self) -> None:
-        """Add some rows at a time: many at once would hold up the window, and the stop with it."""
+        """Add some rows at a time: all at once would block the window and its stop button."""
         now, self._rows = self._rows[:_AT_ONCE], self._rows[_AT_ONCE:]
         for make in now:
             self._column.insertWidget(self._column.count() - 1, make())
         if self._rows:
             QTimer.singleShot(0, self, self._add_rows)
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Cancel the examination and close, by Escape, the button or the frame."""

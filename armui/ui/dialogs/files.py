@@ -68,13 +68,13 @@ class FileExport(QObject):
     def _choose(
         self, title: str, name: str, kind: str, on_chosen: Callable[[Path], object]
     ) -> None:
-        """Let the operator say where to.
+        """Let the operator choose the file to be written.
 
         Args:
-            title: Of the file chooser.
+            title: The title of the file chooser.
             name: How the proposed name begins; date and time follow.
             kind: The ending of the file, ``csv``.
-            on_chosen: Gets the file.
+            on_chosen: Called with the file.
         """
         now = datetime.now().astimezone()
         choose_file(
@@ -87,7 +87,7 @@ class FileExport(QObject):
         )
 
     def _job(self, path: Path) -> Job[Any]:
-        """Return a job of writing a file that tells its result to `_on_written`."""
+        """Return a job of writing a file that passes its result to `_on_written`."""
         return Job(partial(self._on_written, path))
 
     def _on_written(self, path: Path, result: int | Refusal | None) -> None:
@@ -131,7 +131,7 @@ class FileDialog(QFileDialog):
             self.setDefaultSuffix(Path(new_file).suffix)
         self.setNameFilter(name_filter)
         self.setModal(False)
-        # Qt begins in the folder that it showed last; in the process's own before the first
+        # Qt begins in the folder shown last, but at first in the process's working directory
         if start is None and self.directory() == QDir.current():
             start = Path.home()
         if start is not None:
@@ -160,7 +160,7 @@ class FileDialog(QFileDialog):
             self.setDirectory(str(Path(names[0]).parent))
 
     def _widen_columns(self) -> None:
-        """Let the name of a file have the room that size, kind and date leave."""
+        """Give the names of files the width that size, kind and date leave."""
         for table in self.findChildren(QTreeView):
             mode = QHeaderView.ResizeMode
             table.header().setSectionResizeMode(mode.ResizeToContents)

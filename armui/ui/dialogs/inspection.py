@@ -118,14 +118,14 @@ class InspectionDialog(ArmDialog):
         fill(self.footer, self.begin_button, self.save_button, STRETCH, CloseButton(self))
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Look for room from now on."""
+        """Begin to watch how far each joint can swing."""
         super().showEvent(event)
         if not event.spontaneous():
             self._said = None
             self._on_amplitude()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Look for room no more; an inspection under way goes on, as the run's line shows."""
+        """Stop watching the room; an inspection under way goes on, shown in the run's line."""
         super().hideEvent(event)
         self._controller.inspection.look(None)
 
@@ -211,11 +211,12 @@ class InspectionDialog(ArmDialog):
         from armui.ui.dialogs.inspection_report import document  # noqa: PLC0415 - numpy
 
         made = document(report, self._arm(), colors_of(self), self.font())
+        # the view does not own a document: without a parent Python would delete it
         made.setParent(self.report_view)
         self.report_view.setDocument(made)
 
     def _arm(self) -> list[str]:
-        """Return what is known of the arm, a line each."""
+        """Return model, firmware, node and serial number for the report, a line each."""
         from armui.ui.dialogs.about_arm import about_rows  # noqa: PLC0415 - for its window
 
         state, now = self._controller.state, self._controller.operating_state

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 CURVES: Final = QUrl("curves")
 _WIDE_PX, _HIGH_PX, _HEAD_PX, _EDGE_PX = 520, 96, 16, 4
 _FINER: Final = 3
-"""The curves are drawn so many times as fine as they are shown, for paper."""
+"""How many times finer than on the screen the curves are drawn, for printing."""
 _POINTS: Final = 240
 _PAGE_MM: Final = 15.0
 _TEXT_PX: Final = 12
@@ -87,7 +87,7 @@ _UNITS: Final = {JointSign.BEHIND: ("°", 2), JointSign.CURRENT: ("A", 2)}
 
 
 def finding_text(finding: JointFinding) -> str:
-    """Return what stands out of a joint, in a sentence."""
+    """Return a sentence on an unusual figure of a joint."""
     unit, decimals = _UNITS.get(finding.sign, ("°C", 0))
     return _SAID.text(
         (finding.sign, finding.earlier),
@@ -180,7 +180,7 @@ def _swings(report: InspectionReport) -> str:
 
 
 def _found(report: InspectionReport) -> list[str]:
-    """Return what stands out, and behind the last line of each kind what helps."""
+    """Return the findings as HTML lines, with the remedy after the last one of each kind."""
     lines: list[str] = []
     for signs in ((JointSign.BEHIND,), (JointSign.CURRENT,), (JointSign.MOTOR, JointSign.DRIVER)):
         said = [escape(finding_text(each)) for each in report.findings if each.sign in signs]

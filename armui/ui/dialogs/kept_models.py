@@ -58,7 +58,7 @@ class KeptModels:
 
 
 class NodeKeeper(QObject):
-    """Stores an arm's model by its node number as well, and recalls it when the arm names that.
+    """Stores an arm's model by its node number as well, and recalls it when the arm reports that.
 
     It is kept once the arm's own feedback has confirmed it, and written at disconnecting: no file
     is touched while a device is open.

@@ -102,7 +102,7 @@ class DeviceModel(TableModel):
         every = [*self._found, *self._typed, *connected]
         for device in sorted(
             every, key=lambda device: device.simulated
-        ):  # what is real comes first
+        ):  # real devices come before the simulated arm
             if all(not same_device(device, known) for known in rows):
                 rows.append(device)
         if rows == self._rows:
@@ -112,7 +112,7 @@ class DeviceModel(TableModel):
         self._rows = rows
         self.endResetModel()
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def titles(self) -> Sequence[str]:
         """Return the titles: state, kind, channel, serial number, bit rate."""

@@ -41,13 +41,14 @@ _LIST_WIDTH_PX: Final = 260
 _SHOWN_BYTES: Final = 100_000
 """The bytes shown of either end of a large file: a text of 40 MB would hold up window and stop."""
 _HANGS_MS: Final = 10_000
+"""The time after which a disk that has not answered counts as hanging."""
 
 
 class ProblemReportDialog(ArmDialog):
     """Collects the report at each opening; sends nothing, and writes only when asked to.
 
     Args:
-        controller: Tells about the arm that is connected, and what was on its bus.
+        controller: Gives the state of the connected arm, and the last minutes of its bus.
         background: Reads logs and settings, and writes the file.
         settings: The program's file of settings.
         parent: The main window.
@@ -110,7 +111,7 @@ class ProblemReportDialog(ArmDialog):
         fill(self.footer, STRETCH, self.save_button, CloseButton(self))
 
     def retranslate_ui(self) -> None:
-        """Put every word into the operator's language."""
+        """Set all texts in the operator's language."""
         self.set_title(self.tr("Report a problem"))
         self._note.setText(
             self.tr(
@@ -141,7 +142,7 @@ class ProblemReportDialog(ArmDialog):
         self._collecting = True
         self._began = (time.monotonic(), self._controller.state.frames)
         self._message.show_message(self.tr("Looking at this computer, logs and settings…"))
-        # the examination must not open an adapter that is in use: one of the two would lose it
+        # the examination must not open an adapter in use: they would take each other's frames
         connected = self._controller.operating_state.device is not None
         self._under_way = self._examine(
             ["--no-listen"] if connected else [], lambda answer: self._told.emit(number, answer)
@@ -182,7 +183,7 @@ class ProblemReportDialog(ArmDialog):
         self._background.begin_here(self._saving, save, path, self.files())
         self._refresh()
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def files(self) -> tuple[ReportFile, ...]:
         """Return what is in the report now."""
@@ -238,13 +239,13 @@ class ProblemReportDialog(ArmDialog):
         self._refresh()
 
     def _on_late(self) -> None:
-        """Tell what became of a report on a disk that answers late, unless it was saved anew."""
+        """Say that the disk does not answer, so that the report can be saved in another folder."""
         said = self.tr("The disk does not answer. Save the report in another folder.")
         self._message.show_message(said, Level.FAULT)
         self._hangs = True
         self._refresh()
 
-    # How it looks -----------------------------------------------------------------------------
+    # Appearance -------------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         files = self.files()
@@ -282,7 +283,7 @@ class ProblemReportDialog(ArmDialog):
         first = data[:_SHOWN_BYTES].decode("utf-8", "replace")
         return f"{first}\n\n{between}\n\n{data[-_SHOWN_BYTES:].decode('utf-8', 'replace')}"
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Close by Escape, button or frame; a report that is being saved is saved."""

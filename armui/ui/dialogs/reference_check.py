@@ -144,7 +144,7 @@ class ReferenceDialog(ArmDialog):
         self._close = CloseButton(self)
         fill(self.footer, self.teach_button, self.allow_button, STRETCH)
         fill(self.footer, self.begin_button, self.back_button, self._close)
-        self.begin_button.setFocus()  # not the way round the check, which comes before it
+        self.begin_button.setFocus()  # else it is on `teach_button`, which skips the check
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show the present state and the photo of the reference pose."""

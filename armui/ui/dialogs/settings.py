@@ -219,7 +219,7 @@ class SettingsDialog(ArmDialog):
         self._refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Show the present settings."""
+        """Show the present settings, which other parts may have changed."""
         super().showEvent(event)
         if not event.spontaneous():
             self._mark_jog_step(wrong=False)
@@ -288,7 +288,7 @@ class SettingsDialog(ArmDialog):
         height = self.jog_floor_spin.value() if on else None
         refusal = self._store.change(jog_floor_mm=height)
         if refusal is None and why_not_change(self._controller.operating_state) is not None:
-            refusal = CELL_WHILE_MOVING()  # it is kept, and counts at rest
+            refusal = CELL_WHILE_MOVING()  # it is stored, and takes effect at rest
         self._show_problem(refusal)
 
     def _on_live_port(self, port: int) -> None:
@@ -315,7 +315,7 @@ class SettingsDialog(ArmDialog):
         self._show_problem(problem)
 
     def _refuse_jog_step(self, problem: Refusal | None) -> None:
-        """Say why, and leave what was typed to be mended."""
+        """Show the reason, and leave the typed figure in its field to be corrected."""
         self._mark_jog_step(wrong=True)
         self._show_problem(problem)
 

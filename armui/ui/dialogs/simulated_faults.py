@@ -1,4 +1,4 @@
-"""The window 仿真故障: breaks the simulated arm of this program, and mends it."""
+"""The window 仿真故障: begins and ends faults of this program's simulated arm."""
 
 from __future__ import annotations
 
@@ -54,11 +54,11 @@ _ONCE: Final = frozenset({"lost-reference", "corrupt-limits", "slip"})
 
 
 class FaultsDialog(ArmDialog):
-    """Breaks the simulated arm by its hand, never by a bus: a real arm cannot be reached.
+    """Switches faults of the simulated arm by direct calls, never by a bus: no real arm is reached.
 
     Args:
         controller: Gives the connected arm.
-        hand: Returns the hand at the simulated arm of this program, or None.
+        hand: Returns what leads the simulated arm and switches its faults, or None.
         parent: The main window.
     """
 
@@ -112,7 +112,7 @@ class FaultsDialog(ArmDialog):
         self._refresh()
 
     def _reached(self) -> HandGuide | None:
-        """Return the hand while its arm is connected, and no other one."""
+        """Return the access to the simulated arm while it is the connected arm, else None."""
         return None if with_simulated(self._controller.operating_state) else self._hand()
 
     def _joint_of(self, name: str) -> int:

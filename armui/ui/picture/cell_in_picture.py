@@ -1,4 +1,4 @@
-"""Keeps the cell in the picture: work area, user frames, what the hand holds, the base."""
+"""Shows the cell in the picture: work area, user frames, what the hand holds, the base."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ if TYPE_CHECKING:
     from armui.viewport.view import ArmView
 
 _NEAR_MM: Final = 50.0
-"""A plane or a box is lit when the arm is this near to its margin."""
+"""A plane or a box is highlighted when the arm is this near to its margin."""
 
 
 class CellInPicture(QObject):
-    """Shows the chosen cell; what is near the arm is lit, and so is the frame in force.
+    """Shows the chosen cell; highlights what is near the arm, and the frame in force.
 
     Args:
         controller: Knows the cell, and how near the arm is.
@@ -89,7 +89,8 @@ class CellInPicture(QObject):
         made_before = self._makes_one
         self._makes_one = typed is not None and typed.name not in names
         if self._makes_one and not made_before:
-            self._view.bring_in(held[:1])  # once: while one types or drags the camera stands
+            # only once: the camera must not move during typing or dragging
+            self._view.bring_in(held[:1])
         pale = self._controller.cell.unconfirmed is not None
         if area is None or not self._switches["area"].isChecked():
             self._view.set_area(_as_confirmed(held, pale=pale), base)
@@ -109,7 +110,7 @@ def area_picture(area: Area, near: Collection[str] = ()) -> AreaPicture:
 
     Args:
         area: The work area.
-        near: The names of those that are lit.
+        near: The names of those to be highlighted.
     """
     on = area.in_force
     return (

@@ -42,12 +42,12 @@ def note_places(room: Room, width_px: float, height_px: float) -> list[Box]:
 
 
 def freest(places: Sequence[Box], seen: Sequence[Box], before: int) -> int:
-    """Return the index of the place that hides least of what is to be seen.
+    """Return the index of the place that hides least of the arm.
 
     Args:
         places: As of `note_places`.
-        seen: What is to be seen: a rectangle around each link of the arm.
-        before: Where the note stands: it stays unless another place is better.
+        seen: A rectangle around each link of the arm.
+        before: The index of the present place, which stays unless another is better.
     """
     hidden = [sum(_shared_px2(place, each) for each in seen) for place in places]
     least = min(hidden)

@@ -1,4 +1,4 @@
-"""The note over the picture, which finds a place where the arm is not."""
+"""The note over the picture, placed where it hides least of the arm."""
 
 from __future__ import annotations
 
@@ -17,16 +17,17 @@ if TYPE_CHECKING:
     from armui.viewport.view import ArmView
 
 _LONG_MS: Final = 6000
+"""The time for which a note is shown, unless it stays."""
 _LOOK_MS: Final = 250
-"""So often a note that is seen looks where the arm is now."""
+"""The period of checking whether the arm has moved behind the visible note."""
 _WIDEST_PX: Final = 420
 _NARROW_PX: Final = 240
-"""The width of a short line."""
+"""The least width: a text that fits into it stays in one line."""
 _NOTE_RIM_PX: Final = 11
 
 
 class PictureNote(QLabel):
-    """A note over the picture where the arm is not, transparent for the mouse."""
+    """A note over the picture, beside the arm where possible, transparent for the mouse."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -47,13 +48,13 @@ class PictureNote(QLabel):
         self.hide()
 
     def stand_over(self, region: QWidget, view: ArmView) -> None:
-        """Stand in a region over the view in it, from now on."""
+        """Place the note in a region of the window, over the view that is in it."""
         self._view = view
         self.setParent(region)
         view.installEventFilter(self)
 
     def find_place(self) -> None:
-        """Stand where least of the arm is hidden; the arm, or the camera, may have moved."""
+        """Move to the place that hides least of the arm; arm or camera may have moved."""
         view = self._view
         if view is None or not self.isVisible():
             return
@@ -71,7 +72,7 @@ class PictureNote(QLabel):
         return super().eventFilter(watched, event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Keep out of the arm's way while it is seen."""
+        """Follow the arm's motion while the note is visible."""
         super().showEvent(event)
         self._look.start()
         self.find_place()
@@ -104,7 +105,7 @@ class PictureNote(QLabel):
         """Show a text, in one line where it is a short one."""
         self.setText(text)
         self.setAccessibleName(text)
-        self.ensurePolished()  # as wide as the theme's font has it
+        self.ensurePolished()  # the width of the text depends on the theme's font
         line_px = self.fontMetrics().horizontalAdvance(text) + 2 * _NOTE_RIM_PX
         self.setMinimumWidth(min(line_px, _NARROW_PX) if text else 0)
         self.find_place()

@@ -50,8 +50,8 @@ if TYPE_CHECKING:
 
 _MM_PER_M: Final = 1000.0
 _BETWEEN_S: Final = 0.1
-_PRESSES: Final = frozenset({EventKind.COMMAND, EventKind.LINK})
 """The period of updating a growing trail, which is copied and drawn as a whole."""
+_PRESSES: Final = frozenset({EventKind.COMMAND, EventKind.LINK})
 _M_PER_MM: Final = 0.001
 
 
@@ -111,7 +111,7 @@ def _write(image: QImage, path: Path) -> None:
 
 
 class TrailKeeper:
-    """Records the tool's way while the picture is visible.
+    """Records the path of the tool while the picture is visible.
 
     The point is the same as for the figures, the frame and the planned path in the picture: the
     tool centre point, which is the flange if no tool is set.
@@ -139,7 +139,7 @@ class TrailKeeper:
         self._view.set_trail(self._trail.trail)
 
     def clear(self) -> None:
-        """Start again, because the tool is another one."""
+        """Delete the trail, because device or tool have changed."""
         self._trail.clear()
         self._view.set_trail(None)
 
@@ -313,7 +313,7 @@ class PictureWork(QObject):
         if self._preview.name is not None:
             progress = self._runner.progress
             under_way = progress.phase not in OVER and progress.name == self._preview.name
-            row = progress.index if progress.count else -1  # a recording has no point to light
+            row = progress.index if progress.count else -1  # a recording has no points to highlight
             self._preview.light_row(row if under_way else None)
 
     def _on_noticed(self, event: Event) -> None:

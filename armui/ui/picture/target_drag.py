@@ -52,6 +52,7 @@ FINE: Final = {GripKind.AXIS: 1.0, GripKind.RING: 1.0, GripKind.JOINT: 1.0}
 _LEAD_DEG_S: Final = 30.0
 """The speed of a careful hand: far below the one at which drag teaching ends."""
 _LOOK_MS: Final = 100
+"""The period of following the typed target and the arm."""
 _ELSEWHERE_DEG: Final = 0.05
 """A ghost nearer to the arm than this would coincide with it."""
 
@@ -157,7 +158,7 @@ def _rounded(angle_deg: float) -> float:
 
 
 def _differ(one: object, other: object) -> bool:
-    """Return whether targets are not the same six angles, but for the noise of measured ones."""
+    """Return whether two targets differ by more than the noise of measured angles."""
     if not (isinstance(one, tuple) and isinstance(other, tuple)):
         return one != other
     return any(abs(a - b) > _ELSEWHERE_DEG for a, b in zip(one, other, strict=True))
@@ -319,12 +320,12 @@ class CartesianTarget(_InForce):
             self._panel.take_targets(self._pose, self._given)
 
     def _key(self, pose: tuple[float, ...]) -> object:
-        """Return all that a solution depends on, but where the arm was when it was asked for."""
+        """Return all that a solution depends on except the arm's pose at the request."""
         cartesian, state = self._controller.cartesian, self._controller.operating_state
         return pose, cartesian.tool, state.model_fit.geometry, state.limits
 
     def _solve(self, pose: tuple[float, ...]) -> tuple[float, ...] | Refusal | None:
-        """Return the solution near to where the arm was then; None while it is not heard."""
+        """Return the solution nearest to the arm's pose at the request; None without feedback."""
         key, near_deg = self._key(pose), self._controller.state.angles_deg()
         if near_deg is None:
             return None
@@ -340,10 +341,10 @@ class CartesianTarget(_InForce):
 
 
 class HandGuide(Protocol):
-    """The hand that leads a simulated arm which gives way, and breaks it (`armui.sim`).
+    """Leads a simulated arm that gives way, and switches its faults (`armui.sim`).
 
     Attributes:
-        faults: The faults that it has begun and not ended: name and joint, 0 for none.
+        faults: The faults begun and not ended: name and joint, 0 for a fault of the whole arm.
     """
 
     faults: set[tuple[str, int]]
@@ -355,11 +356,11 @@ class HandGuide(Protocol):
         """Release the arm, which stays in place."""
 
     def switch(self, name: str, joint: int, *, begins: bool) -> None:
-        """Begin or end a fault, by its name; its joint, or 0."""
+        """Begin or end a fault by its name, at a joint, or with 0 at the whole arm."""
 
 
 class LedArm(_InForce):
-    """A simulated arm in drag teaching, led by the mouse as a real one is by the hand.
+    """A simulated arm in drag teaching, led by the mouse as a real one is by hand.
 
     No frame is sent for it: it only tells the simulator of this program, and only if its arm gives
     way. It never moves a real arm.
@@ -426,7 +427,7 @@ class TargetDrag(QObject):
         zone: Returns the plane or box that can be dragged instead, or None.
 
     Signals:
-        put_away: The place is left that the handles were switched on for.
+        put_away: The plane or box for which the handles were switched on is hidden now.
     """
 
     put_away = Signal()
@@ -457,7 +458,7 @@ class TargetDrag(QObject):
         self._refused = False
         self._told: Refusal | Callable[[], str] | None = None
         self._refusal: tuple[FindingMark, DragTarget | None, object] | None = None
-        """Where a refused motion would touch, the target then, and what was typed there."""
+        """The first contact of a refused motion, the target then, and its typed angles."""
         self.kind: HandleKind | None = None
         self._look = QTimer(self, interval=_LOOK_MS)
         self._look.timeout.connect(self.look)
@@ -468,7 +469,7 @@ class TargetDrag(QObject):
         controller.noticed.connect(self._on_noticed)
 
     def _on_noticed(self, event: Event) -> None:
-        """Leave a refusal to the message beside the button that was pressed."""
+        """Hide the reason here if the message beside the pressed button already shows it."""
         if event.notice == REFUSED:
             self.look()  # the press may have come right after the last digit
             if event.params.get("reason") == self._told:
@@ -509,7 +510,7 @@ class TargetDrag(QObject):
         return True
 
     def show_refused(self, finding: FindingMark | None) -> None:
-        """Have the ghost stand where a refused motion would touch; None ends that.
+        """Show the ghost where a refused motion would touch; None ends that.
 
         Another target ends it, too.
         """
@@ -521,7 +522,7 @@ class TargetDrag(QObject):
             self.look()
 
     def _show_target(self, target: DragTarget | None) -> None:
-        """Show ghost and handles of a target; without one, where the way inside leads."""
+        """Show ghost and handles of a target, or where the way back inside the limits ends."""
         typed = None if target is None else target.typed_deg()
         kind = self._kind_for(target)
         if self._refusal is not None:
@@ -554,13 +555,13 @@ class TargetDrag(QObject):
         *,
         leads_inside: bool,
     ) -> Refusal | Callable[[], str] | None:
-        """Return the note beside the picture: why there is no ghost, or what is to be known of it.
+        """Return the note over the picture: why there is no ghost, or what the ghost shows.
 
         Args:
             target: The target, if there is one.
             typed: Its angles as they were given, or why there are none.
             ghost_deg: The angles of the ghost, if one is shown.
-            leads_inside: True if the ghost is at the end of the way inside.
+            leads_inside: True if the ghost is at the end of the way back inside the limits.
         """
         if isinstance(typed, Refusal):
             return typed
@@ -592,7 +593,7 @@ class TargetDrag(QObject):
         return self.tr("The ghost shows where Move inside brings the arm")
 
     def _inside_deg(self) -> tuple[float, ...] | None:
-        """Return where the way inside ends while it is the next step."""
+        """Return the end of the way back inside the limits while that is the next step."""
         if self._controller.recovery.step.kind is not StepKind.OUTSIDE:
             return None
         ways = self._controller.gate.ways_inside()
@@ -604,7 +605,7 @@ class TargetDrag(QObject):
         )
 
     def _is_elsewhere(self, angles_deg: Sequence[float] | None) -> bool:
-        """Return whether a ghost there would not be one with the arm."""
+        """Return whether a ghost there can be told apart from the arm."""
         measured_deg = self._controller.state.angles_deg()
         return angles_deg is not None and _differ(tuple(angles_deg), measured_deg)
 

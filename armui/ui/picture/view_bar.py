@@ -67,7 +67,7 @@ _MENU: Final = (
     ("follow", "orthographic", "tool_frame", "reach", "area", "frames", "trail"),
     ("save", "copy"),
 )
-"""What has no button of its own; with all of it the menu would open over the stop."""
+"""Actions without a button; with all actions the menu would open over the stop button."""
 
 
 _TRAILS: Final = {
@@ -278,7 +278,7 @@ class ViewBar(Translated, QFrame):
         self._name_trail()
 
     def _name_trail(self) -> None:
-        """Say whose way the trail is: that of the point whose figures stand in the picture."""
+        """Name in the menu whose trail it is: that of the tool centre point or the flange."""
         way = (
             self.tr("Trail of the tool centre point")
             if self._of_tool

@@ -27,7 +27,7 @@ _RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 class CursorTable(QWidget):
-    """Shown while the cursors are.
+    """The values of the curves at the cursors, visible together with them.
 
     Args:
         board: The board with the curves and cursors.
@@ -54,7 +54,7 @@ class CursorTable(QWidget):
         self.refresh()
 
     def refresh(self) -> None:
-        """Update the values."""
+        """Show the values at the cursors, or hide the table if there are none."""
         self.setVisible(self.is_wanted and self._board.has_cursors)
         if not self._board.has_cursors:
             return
@@ -72,7 +72,7 @@ class CursorTable(QWidget):
                 if column:
                     item.setTextAlignment(_RIGHT)
                 self.table.setItem(row, column, item)
-        self.table.resizeColumnsToContents()  # what they leave is the names'
+        self.table.resizeColumnsToContents()  # the column of the names takes the rest
 
     def text(self) -> str:
         """Return the whole table as text for a spreadsheet."""
@@ -104,7 +104,7 @@ class CursorTable(QWidget):
         ]
 
     def _value(self, what: Quantity, at_s: float | None) -> float | None:
-        """The last one before, unless it was not heard for half a second."""
+        """Return the value at a time; ``None`` if there was no sample for half a second before."""
         if at_s is None:
             return None
         found = self._telemetry.series[what.series].value_at(what.field, at_s)

@@ -69,13 +69,13 @@ class CurveCache(Generic[Drawn]):
         self.extents: list[Extent] = [None] * len(self.fields)
 
     def update(self, begin_s: float, end_s: float, width_px: int, *, turn: bool = True) -> None:
-        """Compute the lines of a time, whose end must not be in the future.
+        """Compute the lines of a stretch of time, which must not end in the future.
 
         Args:
             begin_s: Monotonic time at the left end.
             end_s: And at the right.
             width_px: How many pixels they are apart.
-            turn: If false, the present lines are kept while only some pixels are missing.
+            turn: If false, the present lines stay while only some pixels are missing.
         """
         px_s = (end_s - begin_s) / max(width_px, 1)
         same = (px_s, width_px) == self._scale and begin_s >= self._begin_s
@@ -84,7 +84,7 @@ class CurveCache(Generic[Drawn]):
         behind_s = end_s - self._end_s
         samples = self.series.count_between(begin_s, end_s)
         if same and behind_s == 0.0 and samples != self._samples:
-            same, self._body = False, []  # a log stands still, and what led to its place was read
+            same, self._body = False, []  # earlier samples of a standing log were loaded
         self._samples = samples
         if same and 0.0 <= behind_s < _BEHIND_PX * px_s and behind_s < _BEHIND_S and not turn:
             return
@@ -117,7 +117,7 @@ class CurveCache(Generic[Drawn]):
         self._show(envelope_lines(envelope, held=self.series.shape.held))
 
     def _make_body(self, exponent: int, begin: int, end: int) -> None:
-        """Everything but the newest end, which still grows."""
+        """Compute everything but the newest end, which changes with each sample."""
         envelope = self.series.envelope(exponent, begin, end, self.fields)
         lines = envelope_lines(envelope, held=self.series.shape.held)
         self._exponent, self._body_begin, self._body_end = exponent, begin, end

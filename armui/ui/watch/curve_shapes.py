@@ -111,7 +111,7 @@ def envelope_lines(envelope: Envelope, *, held: bool = False) -> list[list[Line]
         numbers = places + envelope.begin
         times_s = np.repeat((numbers + 0.5) * width_s, 2)
         figures = np.empty(times_s.size)
-        # the bucket's own number says which extreme comes first: nothing wriggles as it scrolls
+        # the bucket's number says which extreme comes first: else curves would flicker on scrolling
         downwards = (numbers & 1).astype(bool)
         figures[0::2] = np.where(downwards, high[places], low[places])
         figures[1::2] = np.where(downwards, low[places], high[places])
@@ -151,14 +151,14 @@ def _split(
 
 
 def _alone(far: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Which buckets have no neighbour on either side."""
+    """Return which buckets have no neighbour on either side."""
     left = np.concatenate(([True], far))
     right = np.concatenate((far, [True]))
     return left & right
 
 
 def _steps(times_s: NDArray[np.float64], figures: NDArray[np.float64], end_s: float) -> list[Line]:
-    """A figure that stands until the next one; NaN ends it."""
+    """Return lines that hold each figure until the next sample; NaN ends a line."""
     if not times_s.size:
         return []
     until_s = np.append(times_s[1:], max(end_s, float(times_s[-1])))

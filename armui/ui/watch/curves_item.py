@@ -45,7 +45,7 @@ class Missing:
 
 
 polygon = pg.functions.arrayToQPolygonF
-"""Converts times and figures to Qt's fastest form."""
+"""Converts times and figures to a polygon, which Qt draws fastest."""
 
 
 def thin_pen(color: str) -> QPen:

@@ -98,7 +98,7 @@ _BELOW_FORMATS: Final = 2
 
 
 def finished_text(report: dict[str, Any], export_format: ExportFormat, target: Path) -> str:
-    """Return the text on a finished export."""
+    """Return the text on a finished export: what was written, and where."""
     text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} rows)")
     if export_format is ExportFormat.MCAP:
         text = QCoreApplication.translate("ExportDialog", "Saved: {target} ({items:,} messages)")
@@ -268,7 +268,7 @@ class ExportForm(Translated, QWidget):
         self._propose_target()
 
     def show_target(self, path: Path) -> None:
-        """Set the target."""
+        """Set the file to be written; another log does not replace it by a proposal."""
         self._target, self._target_chosen = path, True
         self._show_paths()
         self.changed.emit()
@@ -481,7 +481,7 @@ class ExportDialog(ArmDialog):
             concerns_arm=False,
         )
 
-    # What comes back --------------------------------------------------------------------------
+    # Results of background work ---------------------------------------------------------------
 
     def _on_told(self, number: int, said: Any) -> None:
         if number != self._number:
@@ -542,7 +542,7 @@ class ExportDialog(ArmDialog):
         text = self.tr("Exporting… {frames:,} frames read")
         self._message.show_message(text.format(frames=self._progress.frames))
 
-    # The end ----------------------------------------------------------------------------------
+    # Closing ----------------------------------------------------------------------------------
 
     def reject(self) -> None:
         """Cancel a running export, and close, by Escape or the frame."""
@@ -551,7 +551,7 @@ class ExportDialog(ArmDialog):
         super().reject()
 
     def _end(self) -> None:
-        """Nobody waits any more for what is under way."""
+        """End the helper, and have its late answers ignored: they bear an older number."""
         self._number += 1
         if self._under_way is not None:
             self._under_way.end()

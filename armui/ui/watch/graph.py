@@ -211,7 +211,7 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
         self._draw_grid()
 
     def _draw_grid(self) -> None:
-        """As lines of the curves' item: pyqtgraph's own, half transparent, take 7 ms a plot."""
+        """Draw the grid as opaque lines: pyqtgraph's own, half transparent, takes 7 ms a plot."""
         begin_s, end_s, low, high = self._range
         rect = self.box.rect()
         self.curves.show_grid(
@@ -223,12 +223,12 @@ class Graph(pg.GraphicsView):  # type: ignore[misc]
     def resizeEvent(self, ev: Any) -> None:
         """Update the grid, because the ticks have changed."""
         super().resizeEvent(ev)
-        if hasattr(self, "_grid_color"):  # pyqtgraph calls it before there is anything
+        if hasattr(self, "_grid_color"):  # pyqtgraph resizes it in its constructor
             self._draw_grid()
 
 
 def _ticks(axis: pg.AxisItem, low: float, high: float, length_px: float) -> list[float]:
-    """Where an axis has figures."""
+    """Return the figures at which an axis has labelled ticks."""
     if length_px <= 0.0:
         return []
     levels = axis.tickValues(low, high, length_px)

@@ -59,10 +59,10 @@ _GAP_PX: Final = 6.0
 _TEXT_LEFT_PX: Final = _LEFT_PX + 2 * _MARK_PX + _GAP_PX
 _HIGHEST_ROW_PX: Final = 40
 _LOWEST_ROW_PX: Final = 17
-"""In the drawer of a window of 1280×800 all rows are seen, with a message below them."""
+"""The least height: all rows and a message fit the drawer of a window of 1280×800."""
 _ROWS: Final = 10
 _WORD: Final = 0.92
-"""The size of the words where figures stand beside them."""
+"""The relative font size of words beside figures."""
 _SMALL: Final = 0.84
 CELL_ROLE: Final = Qt.ItemDataRole.UserRole
 """The role of a :class:`CellView`, which the delegate draws."""
@@ -106,7 +106,7 @@ class CellView:
 
     @property
     def small(self) -> str:
-        """The figure, and of a fault since when."""
+        """The figure, and for a fault the time when it began."""
         return " · ".join(filter(None, (self.figure, self.since)))
 
 
@@ -166,7 +166,7 @@ class JointStatusModel(TableModel):
             keys = ["arm.no_communication"]
         return keys
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def headerData(  # noqa: N802 - the name Qt calls
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -260,7 +260,7 @@ class JointCellDelegate(QStyledItemDelegate):
         dim = view.stale or view.text == fmt.NOTHING
         painter.setPen(QColor(colors.muted if dim else colors.text))
         align = Qt.AlignmentFlag
-        # Chinese is higher than the font's own line
+        # Chinese characters are higher than the line height of the font
         upon = align.AlignLeft | align.AlignVCenter | Qt.TextFlag.TextDontClip
         painter.drawText(QRectF(left, top, width, word.height()), upon, view.text)
         painter.setFont(small_font)
@@ -348,7 +348,7 @@ class JointStatusPage(Page):
         self.table.setTabKeyNavigation(False)
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        # the rows share the height there is
+        # between these two heights the rows share the height of the table
         self.table.setMinimumHeight(_ROWS * _LOWEST_ROW_PX + 2 * _FRAME_PX)
         self.table.setMaximumHeight(_ROWS * _HIGHEST_ROW_PX + 2 * _FRAME_PX)
         across, down = self.table.horizontalHeader(), self.table.verticalHeader()
@@ -405,7 +405,7 @@ class JointStatusPage(Page):
         column_px = max(column_px + 4 * _BETWEEN_PX, word_width(self.table))
         self.table.setMinimumWidth(header_px + len(JOINTS) * column_px + 2 * _FRAME_PX)
 
-    # What the arm says ------------------------------------------------------------------------
+    # Feedback of the arm ----------------------------------------------------------------------
 
     def _on_updated(self) -> None:
         if self.isVisible():
@@ -421,7 +421,7 @@ class JointStatusPage(Page):
         self._reference.show_message(doubt, Level.WARNING if doubt else Level.INFO)
 
     def _on_chosen(self, *_cells: object) -> None:
-        """Show the cell chosen in the place of what was said of an error."""
+        """Replace the message on clearing an error by the description of the chosen cell."""
         self._event = None
         self._show_notice()
         self._show_detail()

@@ -9,6 +9,7 @@ from armui.system.atomic import write_whole
 from armui.system.files import read_file
 
 _MOST_BYTES: Final = 1 << 16
+"""A larger file is no layout, and is ignored."""
 
 
 def path_beside(settings: Path) -> Path:
@@ -35,5 +36,5 @@ def write_text(path: Path, text: str) -> None:
     Raises:
         OSError: The disk or the folder does not allow it.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)  # nothing was ever set
+    path.parent.mkdir(parents=True, exist_ok=True)  # missing before the first setting is saved
     write_whole(path, text.encode())

@@ -90,7 +90,7 @@ class PlotBar(Translated, QWidget):
         self.cursors.setChecked(self._board.has_cursors)
 
     def _show_span(self, span_s: float) -> None:
-        """One of the choices, or what the mouse has made of it."""
+        """Select the length of time; one made by zooming becomes an entry of its own."""
         place = next(
             (at for at, each in enumerate(SPANS_S) if abs(each - span_s) < each * 1e-6), None
         )

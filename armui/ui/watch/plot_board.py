@@ -37,6 +37,7 @@ PICTURE_MS: Final = 80
 """The period of drawing: twelve pictures a second, fewer of a long time."""
 _STEP_PX: Final = 2.0
 _SLOWEST_MS: Final = 500
+"""The longest period of drawing, however long the time shown."""
 _VALUES_EVERY_S: Final = 0.25
 """The period of updating the figures beside the names."""
 CURSORS: Final = 2
@@ -169,6 +170,7 @@ class PlotBoard(QWidget):
             self._choose(place)
             self._area.ensureWidgetVisible(self.panes[place])
         elif place < len(self.plot_layout.plots):
+            # the plot is not created yet: try again soon
             QTimer.singleShot(_BREATH_MS, self, lambda: self.reveal(place))
 
     def _after_change(self) -> None:
@@ -178,9 +180,9 @@ class PlotBoard(QWidget):
         self.frame_changed.emit()
 
     def _rebuild(self) -> None:
-        """Panes up to the first one that is another stay; the others are made one after another.
+        """Keep the panes before the first changed plot, and create the others one at a time.
 
-        Each takes some milliseconds, between which the thread is free.
+        Creating one takes some milliseconds; in between the thread handles other events.
         """
         plots = self.plot_layout.plots
         same = 0
@@ -234,7 +236,7 @@ class PlotBoard(QWidget):
     # Time -------------------------------------------------------------------------------------
 
     def now_s(self) -> float:
-        """Return the present time."""
+        """Return the present monotonic time of the series, in seconds."""
         return self.telemetry.now_s()
 
     def edge_s(self) -> float:
@@ -314,7 +316,7 @@ class PlotBoard(QWidget):
         self._cursors_moved()
 
     def _on_clicked(self, at_s: float) -> None:
-        """Bring the nearer cursor."""
+        """Move the nearer cursor to the time of a click."""
         at_s += self.edge_s()
         near = [
             (abs(each - at_s), number)
@@ -344,7 +346,7 @@ class PlotBoard(QWidget):
             self._timer.start(PICTURE_MS)
 
     def _period_ms(self) -> int:
-        """Until the curves have moved by two pixels: more pictures would show nothing new."""
+        """Return the time in which curves move by two pixels: nothing new is seen before."""
         width_px = self.panes[0].graphs[0].width_px if self.panes else 1
         period_ms = round(1e3 * _STEP_PX * self.frame.shown.span_s / width_px)
         return min(max(period_ms, PICTURE_MS), _SLOWEST_MS)
@@ -359,7 +361,7 @@ class PlotBoard(QWidget):
             self._book.begin_picture()
             self._draw_some()
         self._timer.setInterval(self._period_ms())
-        looked_s = time.monotonic()  # the time of a log that is replayed may stand still
+        looked_s = time.monotonic()  # not `now_s`: a replay's time may stand still
         if looked_s - self._valued_s >= _VALUES_EVERY_S:
             self._valued_s = looked_s
             for pane in self._seen():

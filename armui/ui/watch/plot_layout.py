@@ -88,7 +88,7 @@ class PlotLayout:
         return next((name for name, plots in SETS.items() if plots == self._plots), None)
 
     def show(self, plots: Plots) -> None:
-        """Set the plots."""
+        """Set the plots, after `tidy`."""
         self._plots = tidy(plots)
 
     def find(self, key: str) -> int | None:
@@ -130,7 +130,7 @@ class PlotLayout:
             self._plots = tidy(plots)
 
     def remove_plot(self, place: int) -> None:
-        """Remove a plot."""
+        """Remove a plot with all its curves."""
         self._plots = tuple(plot for at, plot in enumerate(self._plots) if at != place)
 
 

@@ -79,7 +79,7 @@ def carry_away(source: QWidget, keys: Sequence[str], plot: int | None = None) ->
 
 
 class TakesQuantities:
-    """A part onto which quantities can be dropped; its signal ``dropped`` tells them."""
+    """A widget onto which quantities can be dropped; it emits them by its signal ``dropped``."""
 
     dropped: Any
 
@@ -143,7 +143,7 @@ class Legend(QWidget):
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """The entries."""
+        """The entries in the order of their curves."""
         return self._entries
 
     @property
@@ -162,7 +162,7 @@ class Legend(QWidget):
         for entry in wanted:
             value_px = metrics.horizontalAdvance(entry.value)
             if value_px > self._value_px.get(entry.key, metrics.horizontalAdvance(_WIDEST)):
-                # grows, and never shrinks: words change, and figures stand still
+                # the width never shrinks, so that names do not move with each value
                 self._value_px[entry.key] = value_px
                 grown = True
         moved = (
@@ -424,7 +424,7 @@ class PlotPane(TakesQuantities, QWidget):
             graph.curves.show_missing(missing, colors_of(self).border)
 
     def ends_px(self, of: QWidget) -> tuple[float, float]:
-        """Return the places of the time's ends in another widget."""
+        """Return the x coordinates of the time axis' ends in another widget, in pixels."""
         graph = self.graphs[0]
         left = graph.mapFromScene(graph.box.sceneBoundingRect().topLeft())
         begin = of.mapFromGlobal(graph.mapToGlobal(left)).x()

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 
 _KEEP_AFTER_MS: Final = 1000
+"""The delay after the last change, before the layout is written to the disk."""
 
 
 class PlotsArea(QWidget):
@@ -75,11 +76,11 @@ class PlotsArea(QWidget):
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save.wanted.connect(self._on_save)
         self.export.said.connect(self.say)
-        # beside the plots the same key is for what is edited there
+        # only within this area: elsewhere in the window the same key undoes edits
         listen_for("plots.undo", self, self.bar.undo.click)
 
     def _lay_out(self) -> None:
-        # a widget that changes its parent is styled anew, with all that is in it
+        # nested at once: Qt styles a widget and its children again when its parent changes
         right = in_column(spacing=6)
         in_row(self.quantities, (right, 1), on=self, spacing=12, margins=0)
         fill(right, self.bar, (self.board, 1), self.cursor_table, self.message)
@@ -174,7 +175,7 @@ class PlotPage(Page):
             **self.bar.save.targets("plots"),
         }
 
-    # What others ask for ----------------------------------------------------------------------
+    # Requests from other parts ----------------------------------------------------------------
 
     def add_curves(self, keys: Sequence[str]) -> None:
         """Show quantities in their present plot, or in a new one."""

@@ -30,7 +30,7 @@ _WIDTH_PX: Final = 250
 
 
 class _Tree(QTreeView):
-    """What is dragged from it are keys."""
+    """A tree whose entries are dragged as the keys of their quantities."""
 
     def startDrag(self, _actions: Qt.DropAction) -> None:  # noqa: N802 - the name Qt calls
         """Drag the selected quantities."""
@@ -42,7 +42,7 @@ class _Tree(QTreeView):
 
 
 class QuantityList(Translated, QWidget):
-    """A search field over a tree; quantities never heard are muted.
+    """A search field over a tree; quantities never received are muted.
 
     Args:
         telemetry: Gives the series.
@@ -78,13 +78,13 @@ class QuantityList(Translated, QWidget):
         self.tree.activated.connect(self._on_activated)
         self._timer = SeenTimer(self, _LOOK_MS, self.show_heard)
         self.retranslate_ui()
-        # filled and named before: each change costs filter and tree a search
+        # set after filling and naming: each change of the model costs filter and tree a search
         self._shown.setSourceModel(self._model)
         self.tree.setModel(self._shown)
         self.tree.expandToDepth(0)
 
     def _fill(self) -> None:
-        """Source, kind, joint."""
+        """Add all quantities, grouped by source, then by kind, with the joints as leaves."""
         tops: dict[Source, QStandardItem] = {}
         kinds: dict[tuple[Source, str], QStandardItem] = {}
         for each in QUANTITIES.values():
@@ -107,7 +107,7 @@ class QuantityList(Translated, QWidget):
             top.setFlags(Qt.ItemFlag.ItemIsEnabled)
 
     def _group(self, first: str, source: Source) -> QStandardItem:
-        """An entry for several; `first` is one of them, or "" for a whole source."""
+        """Return a group's entry; `first` is its first key, or "" for a whole source."""
         item = QStandardItem()
         item.setData([], KEYS_ROLE)
         self._groups.append((item, first or source.value))
@@ -131,7 +131,7 @@ class QuantityList(Translated, QWidget):
         self.show_heard()
 
     def show_heard(self) -> None:
-        """Mute quantities that were never heard."""
+        """Mute quantities that were never received."""
         colors = colors_of(self)
         heard, never = QColor(colors.text), QColor(colors.faint)
         said = {name: series.count > 0 for name, series in self._telemetry.series.items()}

@@ -25,6 +25,7 @@ _STEPS_S: Final = (
 _TICK_PX: Final = 90.0
 _FIGURE_PX: Final = 19.0
 _MINUTES_FROM_S: Final = 10.0
+"""The step from which on labels have minutes and seconds."""
 
 
 def tick_step_s(span_s: float, width_px: float) -> float:

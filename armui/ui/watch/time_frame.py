@@ -13,6 +13,7 @@ SPANS_S: Final = (5.0, 10.0, 30.0, 60.0, 300.0, 1800.0)
 FIRST_SPAN_S: Final = 30.0
 
 _SHORTEST_S: Final = 0.02
+"""The shortest time that can be shown: four samples at 200 Hz."""
 _MOST_UNDONE: Final = 100
 
 Range = tuple[float, float]

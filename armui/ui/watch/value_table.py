@@ -1,6 +1,6 @@
 """The samples of some quantities as a table in a CSV file: pure, for another thread or process.
 
-There is a row for each millisecond in which anything was heard; cells without a sample are empty.
+There is a row for each millisecond with any sample; cells without a sample are empty.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def write_csv(path: Path, table: Sequence[Column], edge_s: float, edge: datetime
     places = [np.searchsorted(rows, each) for each in stamps]
     titles = [f'"{each.title.replace(chr(34), chr(39))}"' for each in table]
     with WholeFile(path) as whole:
-        # with a mark of its encoding: spreadsheets take it for something else otherwise
+        # the byte order mark: without it spreadsheets assume another encoding
         file = io.TextIOWrapper(whole.stream, "utf-8-sig", newline="")
         file.write(",".join(["time", "t_s", *titles]) + "\r\n")
         for begin in range(0, rows.size, _CHUNK):

@@ -135,9 +135,9 @@ class Document(QObject):
 
 
 class _Edit(QUndoCommand):
-    """One step of undo: what takes the state before it, or that after it.
+    """One step of undo: a function that applies a state, and the states before and after.
 
-    A step of the points keeps no more than what differs.
+    For the points both are a `Change`, which holds only the rows that differ.
     """
 
     def __init__(
@@ -197,7 +197,7 @@ class DraftKeeper(QObject):
 
     def _write_behind(self) -> None:
         if self._writing:
-            self._timer.start()  # with what has been edited since
+            self._timer.start()  # again later, with the edits made meanwhile
         else:
             self._hurry.clear()
             self._begin(self._unsaved())
@@ -206,7 +206,7 @@ class DraftKeeper(QObject):
         return None if self._document.saved else self._document.trajectory()
 
     def _begin(self, unsaved: Trajectory | None) -> None:
-        """Write the draft, or do away with one that says no more than what is saved."""
+        """Write the draft, or delete it with ``None``, because everything is saved or dropped."""
         self._writing = True
         library, name, hurry = self._work.library, self._document.name, self._hurry
 

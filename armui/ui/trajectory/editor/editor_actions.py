@@ -88,7 +88,7 @@ class EditorActions:
 
     @staticmethod
     def keys(name: str) -> QKeySequence:
-        """Return the key of an action."""
+        """Return the key of an action as set in `SHORTCUTS`."""
         return QKeySequence(keys_of(f"editor.{name}"))
 
     def __getitem__(self, name: str) -> QAction:
@@ -155,7 +155,7 @@ class EditorHint(TableHint):
         table.model().rowsInserted.connect(self._show_if_empty)
         table.model().rowsRemoved.connect(self._show_if_empty)
         table.model().modelReset.connect(self._show_if_empty)
-        # the jog buttons have one of their own beside them
+        # the opened jog box has a button with the same effect
         actions["jog"].toggled.connect(self._buttons[0].setHidden)
         self.retranslate_ui()
         self._show_if_empty()

@@ -97,7 +97,7 @@ class EditorJog(Translated, QWidget):
         self.setVisible(wanted)
 
     def give_way(self, asked: bool) -> None:
-        """Leave the primary button to what is asked or comes first."""
+        """Style the button as the primary one, unless a question or the conversion comes first."""
         show_primary(self._insert, wanted=not asked)
 
     @property
@@ -141,7 +141,7 @@ class EditorPage(Page):
         insert_wanted: The key to insert the arm's position was pressed, in any window.
         selected_row_changed: The row the operator is in, −1 for none.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D, or ``None``.
-        found_changed: It, with what holds of its findings where the arm stands now.
+        found_changed: The same, with the findings that hold where the arm is now.
         play_wanted: The path that is shown is to be played.
         finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
     """
@@ -172,7 +172,7 @@ class EditorPage(Page):
         super().__init__("editor", footed=True)
         self._controller = controller
         self._work = work
-        work.setParent(self)
+        work.setParent(self)  # with this page deleted, `LibraryWork` drops its results
         self._library = work.library
         self._saving = False
         self._tells_saved = False
@@ -259,7 +259,7 @@ class EditorPage(Page):
 
     def _lay_out(self) -> None:
         self._find_bar.hide()
-        # what comes and goes takes room from the table, then scrolls: jog buttons and 发送 stay
+        # bars that come and go take height from the table: jog buttons and 发送 never move
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
         # PySide keeps the items of a layout that is added filled, also one whose widget has left:
@@ -306,7 +306,7 @@ class EditorPage(Page):
         return self.document.name
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place the jog box anew, because there is more or less height."""
+        """Place the jog box for the new height."""
         super().resizeEvent(event)
         self._place_jog()
 
@@ -333,7 +333,7 @@ class EditorPage(Page):
         return True
 
     def _place_jog(self) -> None:
-        """Have the jog box stay in its place, or scroll with the table where there is no height."""
+        """Keep the jog box below the table, or let it scroll with the table in a low window."""
         foot_px = sum(_height_of(each, self.width()) for each in (self._jog, self._run_bar))
         low = self.height() - foot_px < _LEAST_BODY_PX
         if low == (self._foot.indexOf(self._jog) >= 0):
@@ -350,7 +350,7 @@ class EditorPage(Page):
         self._show_rank()
 
     def _show_rank(self, *_: object) -> None:
-        """Let one button lead: an answer, the conversion, the point made by jogging, or 发送."""
+        """Style one button as primary: the answer, the conversion, the jogged point or 发送."""
         asked, converts = self._findings.is_asking, self._other_arm.converts
         self._other_arm.give_way(asked)
         self._jog.give_way(asked or converts)
@@ -436,7 +436,7 @@ class EditorPage(Page):
         self.document.set_note(self._note.text(), self.tr("Note"))
 
     def _take_draft(self, draft: Trajectory) -> None:
-        """Bring back what was not saved, as an edit that can be undone."""
+        """Restore unsaved changes as an edit that can be undone."""
         self.document.set_note(draft.note, self.tr("Unsaved changes"))
         if draft.taught_on == self.document.taught_on:
             self.document.edit(draft.points, self.tr("Unsaved changes"))
@@ -460,7 +460,7 @@ class EditorPage(Page):
     # Checking and running ---------------------------------------------------------------------
 
     def _on_points(self, change: Change) -> None:
-        """What was found and planned was of other points."""
+        """Drop the check and its path: they are of the points before this change."""
         if _has_arcs(change.added):
             self.table.show_middle(wanted=True)
         self.table.make_room()
@@ -469,7 +469,7 @@ class EditorPage(Page):
             self._on_progress(self._run_bar.progress)
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
-        """What was found of points that name something of the cell was found with another one."""
+        """Drop the check if a frame or held object that points name is changed in the cell."""
         tool = _tool_shown(self._controller)
         if tool != self._tool:
             self._show_tool(*tool)
@@ -481,7 +481,7 @@ class EditorPage(Page):
             self._forget_check()
 
     def _show_tool(self, tool: Values, name: str) -> None:
-        """Show poses for the tool in force; what was typed for the one before counts no more."""
+        """Show poses for another tool in force, and drop a pose being typed for the last one."""
         dropped = self.table.drop_figures()
         if tool != self._tool[0]:
             self._forget_check()
@@ -514,7 +514,7 @@ class EditorPage(Page):
             self._actions.allow(name, "" if count else words.refusal(empty))
 
     def _read_points(self, then: Callable[[Trajectory | None], object]) -> None:
-        """Pass on the points, with what is being typed; none while that cannot be taken."""
+        """Pass on the points with the entry being typed, or ``None`` if that is not valid."""
         untaken = self.table.take_entry()
         if untaken is not None:
             self._say(partial(self._not_taken, *untaken), Level.WARNING)
@@ -551,7 +551,7 @@ class EditorPage(Page):
         self.model.show_faults(faults)
 
     def _show_finding(self, finding: Finding) -> None:
-        """Select the row of a finding, and have the ghost stand where it is."""
+        """Select the row of a finding, and show the ghost at its place."""
         if finding.row is not None:
             self.table.select_row(finding.row)
         self.finding_wanted.emit(finding)
@@ -566,7 +566,7 @@ class EditorPage(Page):
         )
 
     def _on_started(self, name: str, options: RunOptions) -> None:
-        """Have the library keep how it was run."""
+        """Store the run's options in the library."""
         self._work.do(lambda: self._library.note_run(name, options), refused=self._show_failure)
 
     def _on_progress(self, progress: Progress) -> None:
@@ -588,7 +588,7 @@ class EditorPage(Page):
                 self._say("")  # the end of an earlier run
 
     def _of_run(self, ended: Progress | None, changed: bool) -> str:
-        """Tell where a run ended, and that the rows of the table are not those it goes by."""
+        """Return a text on where a run ended, or that it runs other points than the table's."""
         if ended is None:
             return self.tr(
                 "The table is not what runs: the run goes by the points as they were when it "
@@ -685,7 +685,7 @@ class EditorPage(Page):
     def _on_driven(self, answer: Started | Refusal) -> None:
         self._tell(refusal_of(answer))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _do(self, edit: Callable[[], Outcome]) -> None:
         self._tell(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
@@ -784,7 +784,7 @@ def _offered(cell: Cell | None) -> object:
 
 
 def _named_by(points: Sequence[Waypoint], cell: Cell | None) -> object:
-    """Return what of a cell points name."""
+    """Return the frames and held objects of a cell that points refer to."""
     if cell is None:
         return [], []
     names, held = frames_in(points), {point.holds for point in points}

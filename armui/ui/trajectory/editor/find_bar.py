@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 _FIELDS: Final = (NOTE, *JOINT_NAMES, *POSE_NAMES, "speed", "dwell")
 _AT_ONCE: Final = 500
-"""In so many rows a replacement takes 10 ms."""
+"""The most rows replaced at once, in 10 ms; more are left to another process."""
 
 
 class FindBar(HasActs, Translated, QWidget):
@@ -93,7 +93,7 @@ class FindBar(HasActs, Translated, QWidget):
 
     @_close.pressed
     def put_away(self) -> None:
-        """Close the bar."""
+        """Hide the bar, and emit `closed`."""
         self.hide()
         self.closed.emit()
 
@@ -101,7 +101,7 @@ class FindBar(HasActs, Translated, QWidget):
 
     @property
     def search(self) -> Search:
-        """What is to be found and replaced."""
+        """The search, as entered in the fields."""
         return Search(str(self._field.currentData()), self._wanted.text(), self._by.text())
 
     def show_result(self, result: str | Refusal) -> None:
@@ -110,7 +110,7 @@ class FindBar(HasActs, Translated, QWidget):
         self._result.setText(text)
         self._result.setToolTip(text)
 
-    # Words and keys ---------------------------------------------------------------------------
+    # Texts and keys ---------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -34,16 +34,16 @@ _PADDING_PX = 14
 _SIDES_PX = 32
 _UNBOUNDED_PX = 10_000
 _COMES_S = 1.0
-"""So long after a check its page scrolls to it, as it gets its size."""
+"""The time after a check in which its page scrolls to the pane whenever that is resized."""
 _MOST = 100
-"""Further lines are only counted: more than an operator reads, or a window lays out at once."""
+"""The most lines: more than an operator reads or a window lays out fast; the rest is counted."""
 
 
 class FindingsPane(HasActs, Translated, QWidget):
     """Shows a :class:`Preflight`; hidden while there is none.
 
-    What was found of the way to the first point is left out once the arm stands elsewhere; the run
-    of this check goes that way.
+    Findings on the way to the first point are left out once the arm stands elsewhere, unless the
+    run of this check moves it.
 
     Args:
         controller: Knows where the arm stands.
@@ -100,7 +100,7 @@ class FindingsPane(HasActs, Translated, QWidget):
             accept: Called when the operator agrees; not possible with errors.
 
         Returns:
-            The check with what holds of its findings where the arm stands now.
+            The check with the findings that hold where the arm is now.
         """
         self._checked, self._runs, self._shown_s = checked, False, time.monotonic()
         self._accept = accept if not checked.errors else None
@@ -115,7 +115,7 @@ class FindingsPane(HasActs, Translated, QWidget):
 
     @property
     def has_errors(self) -> bool:
-        """True while by its check this can't be run."""
+        """True while the check forbids a run."""
         return self._checked is not None and bool(self._found(self._checked).errors)
 
     def note_run(self, *_: object) -> None:
@@ -201,7 +201,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         return self._list.isHidden() or bar.value() == bar.maximum()
 
     def _why_less(self, waits: Refusal) -> str:
-        """Return what of the cell the check counted, while it waits for its confirmation."""
+        """Return which parts of an unconfirmed cell the check took into account."""
         text = self.tr(
             "The cell “{name}” is not confirmed: its work area and what is held were counted, its "
             "tool was not. Confirm it, then check again."
@@ -211,7 +211,7 @@ class FindingsPane(HasActs, Translated, QWidget):
         return text.format(**waits.params)
 
     def _fit(self) -> None:
-        """As high as the lines are in this width, up to a limit."""
+        """Set the list's height to that of its wrapped lines, up to a limit."""
         width = max(1, self._list.viewport().width() - _SIDES_PX)
         room = QRect(0, 0, width, _UNBOUNDED_PX)
         metrics, wrap = self._list.fontMetrics(), int(Qt.TextFlag.TextWordWrap)
@@ -227,8 +227,8 @@ class FindingsPane(HasActs, Translated, QWidget):
         """Fit the height, because lines wrap differently in another width."""
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
-            QTimer.singleShot(0, self, self._fit)
-        # later the operator may be elsewhere; and what is held must not go from under the pointer
+            QTimer.singleShot(0, self, self._fit)  # the list gets its new width after this event
+        # later it would disturb other work; with a button down the pressed widget would move away
         if time.monotonic() - self._shown_s < _COMES_S and not QGuiApplication.mouseButtons():
             self.placed.emit()
 

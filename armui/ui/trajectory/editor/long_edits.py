@@ -1,4 +1,4 @@
-"""Works out edits of many rows in another process: meanwhile a stop is heard at once."""
+"""Works out edits of many rows in another process, so that the stop button responds at once."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class LongEdit(Generic[Outcome]):
 
     Attributes:
         rows: The number of rows.
-        at_once: So many rows are worked out at once.
+        at_once: The most rows to be worked out in the window's thread.
         work: A function of a module that works the edit out.
         arguments: Its arguments.
         finish: Carries the edit out with the result, in the window's thread; the result may be a

@@ -57,7 +57,7 @@ class OtherArmLine(HasActs, Translated, QWidget):
         return self._fit.zeros_from_deg(self._taught_on) is not None
 
     def give_way(self, asked: bool) -> None:
-        """Leave the primary button to a question that is asked."""
+        """Style the button as the primary one, unless a question is asked."""
         self._asked = asked
         self.show_acts()
 

@@ -41,6 +41,7 @@ _FIELD_PX: Final = 62
 _COLOR_PX: Final = 130
 _ALL: Final = "all"
 _HOLDS_NOTHING: Final = 1
+"""The index of the entry for an empty hand; 0 is that for no change."""
 _JOINTS: Final = 6
 
 
@@ -49,14 +50,14 @@ class CellEditor(Protocol):
     """What the delegate asks of an editor."""
 
     def text(self) -> str:
-        """What is entered."""
+        """Return the entry, in the notation of the model."""
 
     def set_text(self, text: str) -> None:
         """Show what stood in the cell."""
 
 
 class TextEditor(QLineEdit):
-    """A figure, six of them, or a note."""
+    """An editor for a figure, the six figures of a pose, or a note."""
 
     def __init__(self, parent: QWidget, *, figure: bool) -> None:
         super().__init__(parent)
@@ -70,10 +71,10 @@ class TextEditor(QLineEdit):
 
 
 class MoveEditor(QComboBox):
-    """The four kinds of motion; choosing one is enough.
+    """An editor of the kind of motion; choosing one closes it.
 
     Signals:
-        decided: One was chosen.
+        decided: The operator has chosen a kind.
     """
 
     decided = Signal()
@@ -85,7 +86,7 @@ class MoveEditor(QComboBox):
         self.activated.connect(self.decided)
 
     def text(self) -> str:
-        """The one chosen."""
+        """Return the chosen kind of motion."""
         return self.currentText()
 
     def set_text(self, text: str) -> None:
@@ -105,7 +106,7 @@ class _Row(Translated, QWidget):
         self.setFocusProxy(self.kind)
 
     def add_field(self, name: str, width_px: int = _FIELD_PX) -> QLineEdit:
-        """One more field at the right end."""
+        """Add a field at the right end."""
         field = named(name, QLineEdit())
         field.setFixedWidth(width_px)
         self._layout.addWidget(field)
@@ -160,7 +161,7 @@ class GripperEditor(_Row):
         self._on_kind(0)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take a figure typed on the kind as the place: an opening, unless an angle is chosen."""
+        """Put a digit typed on the kind into the field for the opening, or the angle if chosen."""
         typed = isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress
         if not (typed and event.text().isdigit()):  # type: ignore[attr-defined]  # a key's
             return super().eventFilter(watched, event)
@@ -304,7 +305,7 @@ class PointDelegate(QStyledItemDelegate):
         self.closeEditor.emit(editor)
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:  # noqa: N802 - Qt's name
-        """Show the cell's content; what is being typed stays if the row only looks otherwise."""
+        """Show the cell's content, unless another one is being typed: rows are also repainted."""
         typed = isinstance(editor, QLineEdit) and editor.isModified()
         if isinstance(editor, CellEditor) and not typed:
             editor.set_text(str(index.data(Qt.ItemDataRole.EditRole)))

@@ -70,12 +70,12 @@ _CONVERTED_AT_ONCE: Final = 10
 _REFRAMED_AT_ONCE: Final = 50
 _PASTED_AT_ONCE: Final = 200
 _COPIED_AT_ONCE: Final = 500
-"""Each takes 10 ms for so many rows."""
+"""The most rows of each edit that are worked out at once, in some 10 ms."""
 
 _TAUGHT_ON: Final = "application/x-armui-taught-on"
 """The format, beside the text in the clipboard, with the arm the points were taught on."""
 _TOOL: Final = "application/x-armui-tool"
-"""That with the tool whose poses the text has, as six figures; zeros for the flange."""
+"""The format with the tool whose poses the text holds: six figures, zeros for the flange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +189,7 @@ class PointEdits(QObject):
         return rows[-1] + 1 if rows else len(self._document.points)
 
     def _plain(self, rows: Sequence[int]) -> Waypoint:
-        """The place of a row without what is done there; zeros where there is none."""
+        """Return a point at the first row's place, without actions; without rows at the arm."""
         if not rows:
             angles_deg = self._controller.state.angles_deg() or _ZERO
             return Waypoint(MoveMode.MOVE_J, tuple(angles_deg))
@@ -199,7 +199,7 @@ class PointEdits(QObject):
         )
 
     def _measured(self, point: Waypoint) -> Waypoint | Refusal:
-        """A point moved to where the arm is measured now."""
+        """Return a point moved to the measured pose of the arm."""
         reason = self._controller.operating_state.unreachable
         if reason is not None:
             return reason
@@ -215,7 +215,7 @@ class PointEdits(QObject):
         )
 
     def _measured_gripper(self) -> GripperAction | Refusal:
-        """The gripper's action that leads to where it is measured now."""
+        """Return the gripper's action that leads to its measured opening or angle."""
         now, heard = self._controller.operating_state, self._controller.state.gripper
         if heard is None or not now.gripper_heard:
             return GRIPPER_SILENT()

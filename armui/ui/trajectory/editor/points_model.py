@@ -139,7 +139,7 @@ class PointsModel(TableModel):
         self._faults: Mapping[int, bool] = {}
         document.changed.connect(self._on_changed)
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's signature
         """Return the number of points."""
@@ -233,7 +233,7 @@ class PointsModel(TableModel):
         return [look.title.text().format(point=point) for look in LOOKS.values()]
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """Return the flags of a cell."""
+        """Return the flags of a cell: whether it is `editable`; between rows only dropping."""
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         can_edit = editable(self._points[index.row()], _COLUMNS[index.column()])
@@ -263,7 +263,7 @@ class PointsModel(TableModel):
         point = self._points[row]
         if column in POSES:
             if text == text_of(before := self.tool.shown(point), column):
-                return point  # as it came, even beyond the limits of this arm
+                return point  # unchanged: accepted even beyond the limits of this arm
             typed = edited(before, column, text, self.limits())
             if isinstance(typed, Refusal):
                 return typed
@@ -276,7 +276,7 @@ class PointsModel(TableModel):
             return POINT_MOVE_UNKNOWN(value=text)
         return self._to_move(row, move)
 
-    # Rows dragged elsewhere -------------------------------------------------------------------
+    # Dragging rows ----------------------------------------------------------------------------
 
     def supportedDropActions(self) -> Qt.DropAction:  # noqa: N802 - Qt's name
         """Return that rows are moved."""
@@ -313,7 +313,7 @@ class PointsModel(TableModel):
     # What changes -----------------------------------------------------------------------------
 
     def _on_changed(self, change: Change) -> None:
-        """Tell the view no more than has changed, so that it keeps its place and selection."""
+        """Report only changed rows, so that the view keeps its scroll position and selection."""
         points = self._document.points
         same = min(len(change.removed), len(change.added))
         if same:
@@ -355,7 +355,7 @@ class PointsModel(TableModel):
             self._redraw(rows)
 
     def _redraw(self, rows: Iterable[int]) -> None:
-        """Rows look otherwise; told as one stretch, since there may be ten thousand of them."""
+        """Have rows painted again, as one range: separate ones are slow for ten thousand rows."""
         there = [row for row in rows if 0 <= row < len(self._points)]
         if there:
             first, last = min(there), max(there)

@@ -32,10 +32,10 @@ _LEAST_ROWS: Final = 3
 """The least number of visible rows; the page scrolls before."""
 _NOTE_PX: Final = 360
 _NOTED_PX: Final = 46
-"""What the notes get beyond their least where there is room for a wider table."""
+"""The width wanted for notes above their minimum, where the window has room."""
 _BAR_PX: Final = 3
 _SHORTENED_PX: Final = {PointColumn.MIDDLE: 51, PointColumn.GRIPPER: 58}
-"""The least widths of what is shortened where there is no room; a tooltip has the whole."""
+"""The least widths of columns that are shortened; a tooltip shows the whole text."""
 
 
 class PointsTable(QTableView):
@@ -95,7 +95,7 @@ class PointsTable(QTableView):
         down.customContextMenuRequested.connect(self._on_number_menu)
         across = self.horizontalHeader()
         across.setHighlightSections(False)
-        # which columns are chosen is never shown: to find out, each cell would be asked
+        # one of its own: with the table's the header would ask every cell whether it is selected
         across.setSelectionModel(QItemSelectionModel(self.points, across))
         across.setResizeContentsPrecision(0)  # only rows in sight are asked how wide they are
         across.setStretchLastSection(True)
@@ -122,7 +122,7 @@ class PointsTable(QTableView):
         return sum(map(self.columnWidth, others), whole_px)
 
     def _shorten(self) -> None:
-        """Shorten what may be, so that all is in sight, or else what is before the lamps is."""
+        """Narrow columns until all are visible, or without room for that those before the lamps."""
         over_px = self._columns_px - self.viewport().width()
         if over_px > sum(px - _SHORTENED_PX[each] for each, px in self._whole_px.items()):
             over_px -= self.columnWidth(PointColumn.LIGHT) + LOOKS[PointColumn.NOTE].width_px
@@ -155,14 +155,14 @@ class PointsTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(_ARC_ROW_PX if wanted else _ROW_PX)
 
     def make_room(self) -> None:
-        """Widen columns for what stands in them, in the rows that are in sight."""
+        """Widen columns for the contents of the visible rows."""
         self._widen()
-        widest = f"▶ 00{max(10, self.points.rowCount())}"  # with what the style leaves beside it
+        widest = f"▶ 00{max(10, self.points.rowCount())}"  # zeros for the style's margins
         self.verticalHeader().setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))
         self._shorten()
 
     def _on_scrolled(self) -> None:
-        if self._widen():  # else a width that the operator has given stays
+        if self._widen():  # else widths set by the operator stay
             self._shorten()
 
     def _widen(self) -> bool:
@@ -252,7 +252,7 @@ class PointsTable(QTableView):
         return range(first, self.points.rowCount() if last < 0 else last + 1)
 
     def _band(self, row: int) -> QRect:
-        """Return where a row is seen, from edge to edge."""
+        """Return the rectangle of a row over the whole width of the table."""
         top, height = self.rowViewportPosition(row), self.rowHeight(row)
         return QRect(0, top, self.viewport().width(), height)
 
@@ -261,8 +261,8 @@ class PointsTable(QTableView):
     def take_entry(self) -> tuple[int, Refusal] | None:
         """Take what is being typed in a cell; return its row, and why that cannot be taken.
 
-        An entry that was refused as its cell was left is returned once: the cell has its old
-        figure since, which nobody has asked for.
+        An entry that was refused when its cell was left is returned once: the cell shows the old
+        figure again, which the operator may not notice.
         """
         for editor in self.viewport().findChildren(QWidget):
             if isinstance(editor, CellEditor) and editor.isVisible():

@@ -142,7 +142,7 @@ class RecentlyDeleted(HasActs, QObject):
     def _open(self) -> None:
         if self._dialog is None:
             self._dialog = BinDialog(self._controller, self._page.window())
-            # it goes with the window that it was opened from, which may be one taken out
+            # it is deleted with its parent window, which may be a page's own window
             self._dialog.destroyed.connect(self._on_gone)
             self._dialog.wanted.connect(self._actions.bring_back)
             self._actions.said.connect(self._dialog.say)

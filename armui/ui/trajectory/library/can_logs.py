@@ -1,4 +1,4 @@
-"""Tells CAN logs among the files that are imported: they are replayed, and hold no points."""
+"""Recognizes CAN logs among imported files: they are for the replay, and hold no points."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def import_all_but_logs(folder: Path, paths: Sequence[Path], new_in: str = "") -
 
 
 def _told(imported: Imported) -> Imported:
-    """Return what became of a file: a CAN log is no table of points, though it has columns."""
+    """Return the result for a file; a CAN log is refused, although it has columns as a table."""
     # imported here, because the window starts without python-can
     from armui.session.frames import NotALogError  # noqa: PLC0415
     from armui.session.reader import LogFile  # noqa: PLC0415

@@ -72,7 +72,7 @@ class FolderBar(HasActs, QObject):
         self.choice.setMinimumWidth(_CHOICE_PX)
         self.choice.activated.connect(self._on_activated)
         for button in (self.menu_button, self.move_button):
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the focus in the list
         self._menu = QMenu(self.menu_button, toolTipsVisible=True)
         acts = {"create": self._create, "rename": self._rename, "delete": self._delete}
         self._acts = {name: self._menu.addAction("") for name in acts}
@@ -188,7 +188,7 @@ class FolderBar(HasActs, QObject):
     def _delete(self) -> None:
         self._actions.delete_folder(self._shown, self.show_all)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""

@@ -35,7 +35,7 @@ class _CutButton(QPushButton):
     """Cuts a text that would make it too wide."""
 
     def setText(self, text: str) -> None:  # noqa: N802 - Qt's name
-        """Set the text."""
+        """Set the text, shortened to the greatest width."""
         right = Qt.TextElideMode.ElideRight
         super().setText(self.fontMetrics().elidedText(text, right, _WIDEST_PX))
 
@@ -90,9 +90,9 @@ class LibraryActions(HasActs, QObject):
         """Put an empty trajectory into the library.
 
         Args:
-            name: What it is called.
-            then: Gets it, once it is there.
-            refused: Gets the words why there is none.
+            name: Its name.
+            then: Called with it once it exists.
+            refused: Called with the reason as a text, if it could not be created.
         """
 
         def make() -> Trajectory:
@@ -150,9 +150,9 @@ class LibraryActions(HasActs, QObject):
         """Make a sub-folder.
 
         Args:
-            name: What it is called.
-            then: Called once it is there.
-            refused: Gets the words why there is none.
+            name: Its name.
+            then: Called once it exists.
+            refused: Called with the reason as a text, if it could not be created.
         """
         self._change_folders(lambda: self._library.create_folder(name), then, refused)
 
@@ -219,7 +219,7 @@ class LibraryActions(HasActs, QObject):
         return bool(why)
 
     def _on_refused(self, text: str) -> None:
-        # it may be refused because the library is another than the operator sees
+        # the library may have changed since it was listed
         self.changed.emit(None)
         self.show_acts()
         self.said.emit(text, Level.FAULT)
@@ -229,7 +229,7 @@ class LibraryActions(HasActs, QObject):
         self.show_acts()
         self.said.emit(text, Level.DONE)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _undone(self, step: Step, back: Sequence[str]) -> str:
         if isinstance(step, Deletion):

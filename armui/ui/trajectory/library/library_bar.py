@@ -32,7 +32,7 @@ class LibraryBar(HasActs, QWidget):
 
     wanted = Signal(str)
     export_wanted = Signal(str)
-    # a key of the list alone is no shortcut of a button: those count in the whole window
+    # keys of the list are no shortcuts of these buttons, which would work in the whole window
     _buttons = ActFamily(
         {
             name: Act(
@@ -53,11 +53,11 @@ class LibraryBar(HasActs, QWidget):
         self._export_menu = QMenu(self)
         self.search = named("library_search", QLineEdit(clearButtonEnabled=True))
         self.search.setMinimumWidth(_SEARCH_PX)
-        self.search.setAcceptDrops(False)  # files are for the window, not for the search
+        self.search.setAcceptDrops(False)  # the page takes dropped files
         self.search.installEventFilter(self)
         layout = Flow(self)
         for button in self.buttons.values():
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the list
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the focus in the list
             layout.addWidget(button)
         for suffix in SUFFIXES:
             action = self._export_menu.addAction(suffix)
@@ -101,7 +101,7 @@ class LibraryBar(HasActs, QWidget):
         self.show_acts()
 
     def show_kept(self, why: str) -> None:
-        """Have what is chosen neither deleted nor renamed for a reason; "" for none."""
+        """Disable deleting and renaming of the selected entries for a reason; "" enables them."""
         if why != self._kept:
             self._kept = why
             self.show_acts()
@@ -123,7 +123,7 @@ class LibraryBar(HasActs, QWidget):
         self.wanted.emit(name)
 
     def _to_list(self) -> None:
-        """From the search to what it has found."""
+        """Move the focus from the search to the list, and select its first row if none is."""
         self._table.setFocus()
         if not self._count and self._table.model().rowCount():
             self._table.selectRow(0)
@@ -132,7 +132,7 @@ class LibraryBar(HasActs, QWidget):
         self.search.setFocus()
         self.search.selectAll()
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate(self) -> None:
         """Set all texts in the operator's language."""

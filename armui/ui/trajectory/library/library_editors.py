@@ -120,7 +120,7 @@ class LibraryEditors(QObject):
             self.open_recorder(content)
 
     def _open_draft(self, name: str) -> None:
-        """What was never saved begins with nothing, and its unsaved changes."""
+        """Open a trajectory that was never saved: its draft is applied to an empty one."""
 
         def opened(draft: Trajectory | None) -> None:
             if draft is None:  # another program has saved or discarded it meanwhile
@@ -151,7 +151,7 @@ class LibraryEditors(QObject):
         self, trajectory: Trajectory, draft: Trajectory | None, *, aside: bool = False
     ) -> None:
         name = trajectory.name
-        if name in self._editors:  # it was opened twice before it was read
+        if name in self._editors:  # opened again while it was being read
             self._editors[name].open()
             return
         work = LibraryWork(self._library, self._background, self)
@@ -174,12 +174,12 @@ class LibraryEditors(QObject):
         self._used = name
 
     def _insert_current(self) -> None:
-        """Make a point of where the arm is, in the editor that was used last."""
+        """Insert the arm's position as a point in the editor that was used last."""
         if self._used in self._editors:
             self._editors[self._used].insert_current()
 
     def _on_left(self, name: str) -> None:
-        self._editors.pop(name).deleteLater()
+        self._editors.pop(name).deleteLater()  # not at once: the page is emitting the signal
         self.changed.emit(None)
 
     def keep_drafts(self) -> None:

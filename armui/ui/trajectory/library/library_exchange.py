@@ -163,7 +163,7 @@ class Result:
         name: The name of its content in the library; "" if it was not imported.
         requested: The name given in the file, which differs from `name` if it was taken.
         problem: The reason why it was not imported; "" if it was.
-        notes: What of its poses is otherwise here than where it was written.
+        notes: Differences of tool and frames from those that its poses were written with.
     """
 
     file: str
@@ -395,12 +395,13 @@ class LibraryExchange(HasActs, QObject):
     def _tell_checked(self, told: Callable[[], str], names: Sequence[str], level: Level) -> None:
         """Say what was imported, and once it is checked, what of it this arm cannot do."""
         self.said.emit(told, level)
-        self._to_check = names  # until something else is said
+        # the check is dropped when this changes, because another message is shown
+        self._to_check = names
         in_order(self._check(names, told), lambda: isValid(self) and self._to_check is names)
 
     def _check(self, names: Sequence[str], told: Callable[[], str]) -> Steps:
         beyond: list[tuple[str, Finding]] = []
-        # one after another: what the operator asks for meanwhile waits for one of them at most
+        # one at a time, so that other requests wait for one step at most
         for name in names:
             content = yield partial(self._work.do, partial(self._library.load, name))
             checked = yield partial(self._checks.begin, content, RunOptions())
@@ -437,7 +438,7 @@ class LibraryExchange(HasActs, QObject):
         notes = [note for result in results for note in result.notes]
         lines += _problem_lines(notes, "{reason}", self.tr("And {count} more. See the results."))
         tables = [each.path.name for each in imported if each.is_table]
-        several = len(tables) > 1  # the same is to be done with all of them
+        several = len(tables) > 1  # the text has one line for all of them
         if several:
             lines.append(self._tell_left(tables))
         problems = [
@@ -459,7 +460,7 @@ class LibraryExchange(HasActs, QObject):
         return _result(imported, tuple(map(words.refusal, imported.differences(tool, cell))))
 
     def _on_by_columns(self, name: str) -> None:
-        """One is done; the others are still offered."""
+        """Report one imported table, and offer the others that are left."""
         left = self.by_columns.paths
 
         def told() -> str:
@@ -490,7 +491,7 @@ class LibraryExchange(HasActs, QObject):
             )
 
     def _write(self, names: Sequence[str], path_of: Callable[[str], Path]) -> None:
-        """Write each; one that cannot be written keeps none of the others back."""
+        """Write each trajectory; failures do not keep the others from being written."""
         cell, tool = self._controller.cell.cell, self._controller.cell.holding().tool
         of = PosesOf(tool if any(tool.pose) else None, () if cell is None else cell.all_frames)
         self._work.do(
@@ -515,7 +516,7 @@ class LibraryExchange(HasActs, QObject):
 
 
 def _beyond(checked: Preflight) -> Iterator[tuple[str, Finding]]:
-    """Yield what forbids to run an imported one, wherever the arm stands, with its name."""
+    """Yield the errors of an imported trajectory that hold wherever the arm is, with its name."""
     for found in checked.outcome.errors:
         if not found.is_of_approach:
             yield checked.content.name, found

@@ -94,7 +94,7 @@ class LibraryModel(TableModel):
 
     @property
     def names(self) -> frozenset[str]:
-        """The names of all there are, also of what has unsaved changes alone."""
+        """All names, also those of trajectories that only have unsaved changes."""
         return self._drafts.union(entry.name for entry in self._rows)
 
     def why_empty(self, entry: IndexEntry) -> Refusal | None:
@@ -143,7 +143,7 @@ class LibraryModel(TableModel):
         self._redraw(LibraryColumn.CHECK)
 
     def note_found(self, name: str) -> None:
-        """Note of which one the last check has findings, were it of the way to its first point."""
+        """Note the trajectory whose last check has findings, also on the way to its first point."""
         if name == self._found_of:
             return
         self._found_of = name
@@ -154,7 +154,7 @@ class LibraryModel(TableModel):
             self.dataChanged.emit(self.index(0, column), self.index(len(self._rows) - 1, column))
 
     def _mark(self, entry: IndexEntry) -> Check | None:
-        """Return how the check ended that holds for this arm."""
+        """Return the result of the check, if it is valid for this arm."""
         return entry.check if entry.checked_for == self._holds_for(entry) else None
 
     def has_findings(self, entry: IndexEntry) -> bool:
@@ -162,11 +162,11 @@ class LibraryModel(TableModel):
         return self._mark(entry) in {"warnings", "errors"}
 
     def has_errors(self, entry: IndexEntry) -> bool:
-        """Return whether by the check that holds for this arm it can't be run."""
+        """Return whether a check that is valid for this arm forbids a run."""
         return self._mark(entry) == "errors"
 
     def _holds_for(self, entry: IndexEntry) -> str:
-        """Return what a check or an estimate must have been made for to hold now."""
+        """Return the fingerprint of arm and frames for which a check or an estimate is valid."""
         if self._arm is None:
             return ""
         if entry.frames not in self._fingerprints:
@@ -278,7 +278,7 @@ class LibraryModel(TableModel):
         return sign + fmt.duration(seconds)
 
     def _length_tip(self, entry: IndexEntry) -> str:
-        """Tell what the figure is, or why there is none."""
+        """Return the tooltip of the length: what it is based on, or why there is none."""
         if entry.kind != "points" or entry.damage is not None or entry.length_s is not None:
             return ""
         if (empty := self.why_empty(entry)) is not None:
@@ -291,7 +291,7 @@ class LibraryModel(TableModel):
         return bool(entry.taught_on and self._kind) and entry.taught_on != self._kind
 
     def check(self, entry: IndexEntry) -> str:
-        """Return its state as a sign and a word: it is never told by one of them alone."""
+        """Return its state as a sign and a word, since colours and signs alone are ambiguous."""
         words_of = {
             "ok": self.tr("✓ checked"),
             "warnings": self.tr("! warnings"),
@@ -305,7 +305,7 @@ class LibraryModel(TableModel):
         if mark is None:
             return self.tr("! other arm") if self._is_of_other_arm(entry) else fmt.NOTHING
         if mark == "ok" and entry.name == self._found_of:
-            mark = "warnings"  # of the way to its first point
+            mark = "warnings"  # the finding is on the way to its first point
         return words_of[mark]
 
     def flags(self, index: Index) -> Qt.ItemFlag:

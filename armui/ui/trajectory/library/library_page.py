@@ -64,7 +64,7 @@ from armui.ui.widgets.page import Page
 
 SEVERAL_CHOSEN = Reason("several_chosen", "Several rows are chosen. Choose the one to run.")
 _PAUSE_MS: Final = 300
-"""So long a list stands before lengths are worked out: what it is asked for comes first."""
+"""The pause before lengths are estimated, so that requests of the operator come first."""
 
 
 class LibraryPage(Page):
@@ -83,7 +83,7 @@ class LibraryPage(Page):
         editor_opened: The :class:`EditorPage` of a trajectory, before it is shown: a preview must
             connect to its ``preview_wanted`` and ``selected_row_changed``.
         preview_wanted: A :class:`Preflight` whose path is to be shown in 3D; ``None``: no longer.
-        found_changed: It, with what holds of its findings where the arm stands now.
+        found_changed: The same, with the findings that hold where the arm is now.
         finding_wanted: A :class:`Finding` whose place is to be shown in 3D.
         run_asks: The name of the trajectory that waits for confirmation; "" if none does.
     """
@@ -136,9 +136,9 @@ class LibraryPage(Page):
         self._exchange = LibraryExchange(controller, self._checks, self._work, self)
         self._findings = FindingsPane(controller)
         self._found_of = ""
-        """The name of what the findings are about."""
+        """The name of the trajectory that the findings are about."""
         self._said_of = ""
-        """The name of what the message says that it was not run."""
+        """The name of the trajectory whose refused run the message is about."""
         self._tells_end = False
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
@@ -175,12 +175,12 @@ class LibraryPage(Page):
         self._below = self._message, *offers
         below = in_flow(self._message)
         for button in offers:
-            below.push(button)  # at the right, also while there is no message
+            below.push(button)  # keep it at the right even without a message
         self._bar.add_button(self._deleted.button)
         folders = self._folder_bar
         for part in (folders.move_button, folders.menu_button, folders.choice):
             self._bar.add_before_search(part)
-        # what comes and goes takes its room from the list: 发送 stays where it is
+        # bars that come and go take height from the list: 发送 never moves
         fill(self.body, self._bar, self._name_bar, self._shared_use, self._unsaved)
         fill(self.body, (self._table, 1))
         fill(self.body, self._findings, below)
@@ -257,7 +257,7 @@ class LibraryPage(Page):
 
     def _show_chosen(self) -> None:
         if self._table.chosen():
-            self.bring_into_sight(self._table)  # a list tells the place of its present row
+            self.bring_into_sight(self._table)  # Qt scrolls a table to its current row
 
     def event(self, event: QEvent) -> bool:
         """Read the folder again when the window is activated."""
@@ -306,7 +306,7 @@ class LibraryPage(Page):
         self._show_hint()
 
     def _drop_unchosen(self) -> None:
-        """Forget what was checked of a trajectory, if none is chosen any more."""
+        """Drop the check of a trajectory if none is selected any more."""
         if not self.chosen():
             self._run_bar.drop_check()
             self._drop_findings()
@@ -316,19 +316,19 @@ class LibraryPage(Page):
             self._show_marks()
 
     def _show_marks(self) -> None:
-        """A check of another arm, or of this one with other limits, says nothing."""
+        """Show only check marks that are valid for this arm and its present limits."""
         arm = arm_model(self._controller)
         self._model.show_for(arm)
 
     def _uncover(self, names: Sequence[str]) -> None:
-        """What is new is seen, even if it is not what was searched for."""
+        """End the search, and list all folders, where they hide new entries."""
         if not set(self._table.names()).issuperset(names):
             self._bar.search.clear()
         if not set(self._table.names()).issuperset(names):
             self._folder_bar.show_all()
 
     def _on_folder(self) -> None:
-        """Somebody may have changed the folder; a name that is being typed is not disturbed."""
+        """List a changed folder again, unless a name is being typed."""
         if self.isVisible() and not self._table.is_editing:
             self.refresh()
 
@@ -337,12 +337,12 @@ class LibraryPage(Page):
         self._show_folder()
 
     def _show_folder(self) -> None:
-        """List one folder, unless a text is searched for; what is new is kept in that folder."""
+        """List one folder, unless a text is searched for; new entries are stored in it."""
         folder = self._folder_bar.shown
         self._library.new_in = folder
         self._shown.show_folder(folder)
         self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
-        self._show_usable()  # Qt does not tell that the list lost what was chosen
+        self._show_usable()  # Qt emits no signal when selected rows are filtered out
         self._drop_unchosen()
         self._show_hint()
 
@@ -351,7 +351,7 @@ class LibraryPage(Page):
         self._hint.show_state(self._shown.rowCount(), searched, self._folder_bar.shown)
 
     def _on_action(self, names: Sequence[str] | None) -> None:
-        """The keys go on in the list: the button that was pressed may be disabled by now."""
+        """List the result, and focus the list: the pressed button may be disabled now."""
         self.refresh(names)
         self._table.setFocus()
 
@@ -406,17 +406,17 @@ class LibraryPage(Page):
             unsaved=one is not None and self._model.has_unsaved(one.name),
         )
         self._run_bar.show_secondary(one is not None and self._model.has_errors(one))
-        if chosen:  # while the list is made anew, nothing is chosen for a moment
+        if chosen:  # while the list is rebuilt, nothing is selected for a moment
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
             if self._said_of not in ("", name):
                 self._say("")
 
-    # How long they take -----------------------------------------------------------------------
+    # Durations --------------------------------------------------------------------------------
 
     def _estimate(self) -> None:
-        """Have some worked out whose length is not known; then the next ones, while it is seen."""
+        """Estimate some unknown lengths in the background, then the next ones while visible."""
         names = self._model.unestimated()
         if not names or self._estimating or not self.isVisible():
             return
@@ -426,16 +426,16 @@ class LibraryPage(Page):
         def known(estimates: Mapping[str, float | None]) -> None:
             self._estimating = False
             self._model.note_estimates(estimates, arm)
-            if estimates:  # else they are gone, or the disk has to be looked at anew first
+            if estimates:  # else the files are gone, or the disk must be read again first
                 self._estimate()
 
         def refused(_text: str) -> None:
-            self._estimating = False  # tried again when the list is shown anew, which says why
+            self._estimating = False  # the next listing tries again, and shows the reason
 
         self._work.do(lambda: self._library.estimate(names, arm), known, refused)
 
     def _to_estimate(self, then: Callable[[Content | None], object]) -> None:
-        """Hand on what is chosen, once it is read, and say nothing of it."""
+        """Pass on the selected content once it is read, without any message."""
         chosen = self._chosen_names()
         if len(chosen) != 1 or self._model.is_unsaved(chosen[0]):
             then(None)
@@ -482,7 +482,7 @@ class LibraryPage(Page):
     # Running ----------------------------------------------------------------------------------
 
     def _to_run(self, then: Callable[[Content | None], object]) -> None:
-        """Hand on what is chosen, once it is read; nothing if something else is chosen by then."""
+        """Pass on the selected content once it is read, unless the selection has changed."""
         chosen = self._chosen_names()
         if len(chosen) != 1:
             none = NO_ROWS_CHOSEN()
@@ -525,7 +525,7 @@ class LibraryPage(Page):
         self.preview_wanted.emit(found)
 
     def _drop_findings(self) -> None:
-        """Forget what was found, and take its path out of the picture."""
+        """Drop the check, and remove its path from the picture."""
         if self._found_of:
             self.preview_wanted.emit(None)
         self._found_of = ""
@@ -591,11 +591,11 @@ class LibraryPage(Page):
         self._exchange.export(self._chosen_names(), suffix)
 
     def _on_refused(self, text: str) -> None:
-        """The library refused something."""
+        """Show a refusal of the library."""
         self.refresh()  # it may be refused because somebody else has changed the library
         self._say(text, Level.FAULT)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _say(self, text: Words, level: Level = Level.INFO) -> None:
         self._tells_end, self._said_of = False, ""

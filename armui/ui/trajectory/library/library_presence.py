@@ -46,10 +46,10 @@ class LibraryPresence:
             self._lock = lock if lock.tryLock(0) else None
         found = []
         for path in sorted(self._folder.glob(".program-*.lock")):
-            if path.name == self._name or not path.is_file():  # a pipe would be waited for
+            if path.name == self._name or not path.is_file():  # opening a pipe would block
                 continue
             other = self._file(path)
-            if other.tryLock(0):  # a killed program's
+            if other.tryLock(0):  # its program was killed
                 other.unlock()
             elif other.error() is QLockFile.LockError.LockFailedError:
                 pid, host, _program = other.getLockInfo()[-3:]
@@ -65,7 +65,7 @@ class LibraryPresence:
     @staticmethod
     def _file(path: Path) -> QLockFile:
         lock = QLockFile(str(path))
-        lock.setStaleLockTime(0)  # however long a program runs, it is there
+        lock.setStaleLockTime(0)  # age never makes a lock stale: programs run for days
         return lock
 
 
@@ -102,7 +102,7 @@ _YOUNG_S: Final = 2.0
 """A second change this soon after one may bear the same time; some file systems count in this."""
 
 FolderTimes = dict[str, int | None]
-"""When each folder was changed last, in ns, by its name; ``None``: too young to tell."""
+"""When each folder was changed last, in ns, by its name; ``None``: too recent to be reliable."""
 
 
 def folder_times(folder: Path, names: Sequence[str]) -> FolderTimes:
@@ -126,8 +126,8 @@ def _changed_ns(folder: Path) -> int | None:
 class LibraryWatch(QObject):
     """Has the file thread look once a second, while a page is seen, whether folders have changed.
 
-    A share may hang, and a system tells nothing of what other computers do to it: the window's
-    thread is not the one to ask, nor is the system.
+    A network share may hang, so the window's thread must not look; and the operating system does
+    not report changes that other computers make on it.
 
     Args:
         folder: The folder; it need not exist.
@@ -163,7 +163,7 @@ class LibraryWatch(QObject):
         self._listed, self._names = times, tuple(names)
 
     def _ask(self) -> None:
-        if self._asked is None:
+        if self._asked is None:  # one request at a time: a hanging disk must not collect them
             self._asked = Job(self._on_answer)
             self._background.begin_here(self._asked, folder_times, self._folder, self._names)
 
@@ -171,5 +171,6 @@ class LibraryWatch(QObject):
         self._asked = None
         if isinstance(found, Refusal) or not isValid(self):
             return
+        # a change this recent may have been missed by the listing
         if any(at is None or at != self._listed.get(name, at) for name, at in found.items()):
             self.changed.emit()

@@ -55,7 +55,7 @@ class LibraryTable(QTableView):
         self._make_room()
 
     def _make_room(self) -> None:
-        """Widen the column of the names for them, and then by what the notes leave free."""
+        """Widen the column of names for the longest one, then by the width that notes leave."""
         name, note = LibraryColumn.NAME, LibraryColumn.NOTE
         missing_px = self.sizeHintForColumn(name) - self.columnWidth(name)
         free_px = self.columnWidth(note) - max(note.declared.width_px, self.sizeHintForColumn(note))

@@ -29,9 +29,9 @@ class NameQuestion:
     Attributes:
         label: Says what is named.
         act: Says what the name does, on the button.
-        suggest: Makes the name that stands there first; "" for none.
-        why_not: Tells what is against a name.
-        give: Gets the name the operator has chosen.
+        suggest: Returns the initial name; "" for none.
+        why_not: Returns the reason against a name.
+        give: Called with the name that the operator has chosen.
     """
 
     label: Callable[[], str]
@@ -70,7 +70,7 @@ class NameBar(HasActs, Translated, QWidget):
         self.retranslate_ui()
 
     def ask(self, question: NameQuestion) -> None:
-        """Show it with a name that can be taken over or typed over."""
+        """Show the line with the suggested name, which can be typed over."""
         self._question, self._given = question, False
         self._field.setText(question.suggest())
         self.retranslate_ui()
@@ -110,7 +110,7 @@ class NameBar(HasActs, Translated, QWidget):
         question = self._question
         if question is None or self._given or question.why_not(self._name()) is not None:
             return
-        self._given = True  # pressed twice, it is given once
+        self._given = True  # a second press has no effect
         self._show_usable()
         question.give(self._name())
 

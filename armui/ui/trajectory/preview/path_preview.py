@@ -61,7 +61,7 @@ class PathPreview(QObject):
         self._target_finding: FindingMark | None = None
         self._is_seen = True
         self._scrubbed = False
-        """The operator went to a time; what he did last is where the ghost is."""
+        """True if the operator's last choice was a time on the slider, where the ghost stays."""
         self._shown = NOTHING
         bar.time_changed.connect(self._on_time)
         bar.closed.connect(self._on_closed)
@@ -169,7 +169,7 @@ class PathPreview(QObject):
             self._set(replace(self._shown, path=replace(path, findings=findings), finding=ghost))
 
     def show_finding(self, finding: FindingMark) -> None:
-        """Have the ghost stand where a finding is, until another place is chosen."""
+        """Show the ghost at a finding until another place is chosen."""
         if self._path is not None and finding.joints_deg is not None:
             self._scrubbed, self._target_deg = True, None
             self._set(replace(self._shown, ghost_deg=finding.joints_deg, finding=finding))

@@ -85,7 +85,7 @@ class PreviewBar(HasActs, Translated, QFrame):
         self._on_moved()
 
     def play(self) -> None:
-        """Let the ghost go by itself."""
+        """Begin to move the ghost along the path."""
         self._play.setChecked(True)
 
     def set_shown(self, shown: bool) -> None:

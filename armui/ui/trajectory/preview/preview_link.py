@@ -93,7 +93,7 @@ def _place_mm(
     if joints_deg is None and found.row is not None:
         point = content.points[found.row] if isinstance(content, Trajectory) else None
         if point is not None and point.frame:
-            return None  # nobody knows where that frame is
+            return None  # the frame is not known here
         if point is not None and not point.is_joint:
             flange = pose_to_matrix(point.target)
             x, y, z = tool_points(flange[np.newaxis], tool)[0].tolist()
@@ -174,6 +174,7 @@ def cut_picture(
 _ROUNDED_S: Final = 0.0005
 """The rounding of the fields, which show milliseconds: the last sample may be a bit later."""
 _LEAST_S: Final = 1e-6
+"""The least time between two samples, so that a speed is never divided by zero."""
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
 """The decimals of targets, as they are sent and shown in the table."""
@@ -254,7 +255,7 @@ class PointTarget:
         if refusal is None:
             label = QCoreApplication.translate("PointTarget", "Drag in the picture")
             self.editor.document.edit(edits.change(points, {row: changed}), label)
-            # what leads there is known: it was dragged there
+            # cached: these angles are known to reach the new pose
             frames = frames_of(self._controller.cell.cell)
             self._solved = (self.editor.document.points, row, frames, angles_deg)
         return refusal
@@ -300,7 +301,7 @@ class PreviewLink(QObject):
         self._preview = preview
         self._controller = controller
         self._pages: list[Page] = []
-        self._targets: dict[Page, PointTarget] = {}  # of each editor
+        self._targets: dict[Page, PointTarget] = {}  # the draggable point of each editor
         self._checked: dict[Page, Preflight] = {}
         self._page: Page | None = None
         self._shown: Preflight | None = None
@@ -334,13 +335,13 @@ class PreviewLink(QObject):
         self._preview.show_finding(finding)
 
     def _on_finding(self, finding: Finding) -> None:
-        """Have the ghost stand where a finding is, on the way or at a point."""
+        """Show the ghost at a finding, on the way or at a point."""
         tool = self._controller.cartesian.tool
         mark = None if self._shown is None else finding_mark(self._shown, finding, tool)
         if mark is not None:
             self._preview.show_finding(mark)
 
-    # which page is seen -----------------------------------------------------------------------
+    # the visible page -------------------------------------------------------------------------
 
     def _watch(self, page: Page) -> None:
         if page not in self._pages:
@@ -351,7 +352,7 @@ class PreviewLink(QObject):
                 self._turn_to(page)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Follow the pages as they are shown, hidden and brought to the front."""
+        """Show the content of the page that is shown or brought to the front last."""
         if event.type() in _SHOWN:
             self._turn_to(next(page for page in self._pages if page is watched))
         elif event.type() == QEvent.Type.Hide and watched is self._page:
@@ -395,7 +396,7 @@ class PreviewLink(QObject):
         self._watch(editor)
 
     def _on_preview(self, checked: Preflight | None) -> None:
-        """Take a check of the library page, or of the recording seen; drop the library's."""
+        """Show a check of the library page or the visible recording; None drops the library's."""
         if checked is None:
             self._take(self._library, None)
             return
@@ -411,7 +412,7 @@ class PreviewLink(QObject):
             self._turn_to(page)
 
     def _renew(self, page: Page, checked: Preflight) -> None:
-        """Show what holds of the findings of a path that is shown; it stays as it is seen."""
+        """Update the findings of a path that is shown; its view and ghost stay."""
         before = self._checked.get(page)
         if before is None or before.path is not checked.path:
             return
@@ -457,13 +458,13 @@ class PreviewLink(QObject):
         recorder.cut_changed.connect(partial(self._on_cut, recorder))
 
     def _on_cut(self, recorder: RecordingPage) -> None:
-        """What is kept is another: what was checked of it is shown no more."""
+        """Drop the check of a recording when another part of it is kept."""
         self._checked.pop(recorder, None)
         if recorder is self._page and recorder.isVisible():
             self._turn_to(recorder)
 
     def _show_cut(self, cut: RecordingCut) -> None:
-        """Show the way of what is kept, its ends, and the arm at the end that was moved last."""
+        """Show the path of the kept part, its ends, and the ghost at the end moved last."""
         if self._shown is not None:
             self._shown = None
             self._preview.show(None)
@@ -472,7 +473,7 @@ class PreviewLink(QObject):
         self._preview.show_points(picture, None, ghost_deg)
 
     def _on_cell_changed(self, cell: Cell | None) -> None:
-        """Show points where their frames are now; a path that was checked elsewhere is none."""
+        """Show points in their present frames; drop checks that were made in other frames."""
         now = frames_of(cell)
         for page, checked in tuple(self._checked.items()):
             moved = any(now.get(name) != pose for name, pose in checked.order.arm.frames)
@@ -500,7 +501,7 @@ class PreviewLink(QObject):
             self._preview.show_joint_range(None)
 
     def _on_left(self, page: Page) -> None:
-        """Forget a page that was left for good, and what was shown of it."""
+        """Drop a closed page, and remove its content from the picture."""
         if page is self._library:
             return
         self._pages.remove(page)

@@ -109,7 +109,7 @@ class RecordedCurves(Translated, QWidget):
         return QSize(400, 2 * _HEIGHT_PX)
 
     def place_px(self, at_s: float) -> float:
-        """Return the place of a time, from the left."""
+        """Return the x coordinate of a time, in pixels."""
         box, whole_s = self._box(), self._whole_s
         return box.left() + at_s / whole_s * box.width()
 
@@ -123,7 +123,7 @@ class RecordedCurves(Translated, QWidget):
         return max(_LEAST_S, 0.0 if self._recording is None else self._recording.duration_s)
 
     def _box(self) -> QRectF:
-        """Where the curves are: below their names, above the times."""
+        """Return the area of the curves: below their names, above the times."""
         line_px = self.fontMetrics().height()
         left = self.fontMetrics().horizontalAdvance("-000.0°") + _PAD_PX
         return QRectF(
@@ -230,7 +230,7 @@ class RecordedCurves(Translated, QWidget):
             painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
 
     def _draw_ends(self, painter: QPainter, box: QRectF) -> None:
-        """Shade what is left out; a handle and its time at either end."""
+        """Shade what is left out, and draw a handle with its time at either end."""
         colors = colors_of(self)
         veil = QColor(colors.sunken)
         veil.setAlphaF(0.8)
@@ -255,7 +255,7 @@ class RecordedCurves(Translated, QWidget):
             painter.setPen(QColor(colors.text))
             painter.drawText(QPointF(left_px, box.bottom() + _PAD_PX + metrics.ascent()), text)
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

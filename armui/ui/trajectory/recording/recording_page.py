@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from armui.ui.background import Background
 
 _TOLERANCE_DEG: Final = 0.1
+"""The default deviation that thinning may cause."""
 _FIELD_PX: Final = 120
 _AFTER_MS: Final = 250
 """The delay after a key: half an hour of samples is not thinned at each one."""
@@ -55,9 +56,9 @@ _AFTER_MS: Final = 250
 
 _GROW_MS: Final = 250
 _SEEN_SAMPLES: Final = 4000
-"""The last samples of a running recording are seen: 20 s at 200 Hz."""
+"""The number of last samples shown of a running recording: 20 s at 200 Hz."""
 _WRITE_MS: Final = 1000
-"""The period of writing: the most that is lost when the program is killed."""
+"""The period of writing, and the most that is lost if the program is killed."""
 
 
 class RecordingKeeper(QObject):
@@ -198,7 +199,7 @@ class RecordingPage(Page):
         self._joining = self._leaving = False
         self._recording = self._result = recording
         self._is_kept = recording is not None
-        """It comes from the library."""
+        """True if the recording was opened from the library."""
         self._at_s = 0.0
         self._unsaved = False
         self._timer = QTimer(self, singleShot=True, interval=_AFTER_MS)
@@ -381,7 +382,7 @@ class RecordingPage(Page):
         return RecordingCut(self._recording, from_s, to_s, self._at_s)
 
     def _on_trimmed(self, from_s: float, to_s: float, at_s: float) -> None:
-        """A handle of the curves is dragged."""
+        """Take over the range, in s, while a handle of the curves is dragged."""
         self._from.show_value(from_s)
         self._to.show_value(to_s)
         self._at_s = at_s
@@ -396,10 +397,10 @@ class RecordingPage(Page):
         self.cut_changed.emit()
 
     def _work_out(self, then: Callable[[Recording], object] | None = None) -> None:
-        """Cut and thin what was recorded as the fields say.
+        """Trim and thin the recording by the values of the fields.
 
         Args:
-            then: Gets what is left of it.
+            then: Called with the result.
         """
         self._drop_work()
         whole = self._recording
@@ -412,7 +413,7 @@ class RecordingPage(Page):
         self._result = None
         if min(from_s, to_s, tolerance_deg) >= 0.0:
             self._job = Job(partial(self._take_result, then))
-            # the field shows milliseconds: the last sample may lie a bit behind it
+            # the field rounds to milliseconds: the last sample may be up to half of one later
             self._background.begin(self._job, thin.cut, whole, from_s, to_s + 0.0005, tolerance_deg)
         self._show_kept()
 
@@ -525,7 +526,7 @@ class RecordingPage(Page):
         if self._controller.recorder.recording and self._recording is None:
             self._take()
         if self._joining or self._job is not None:
-            self._leaving = True  # as soon as what was recorded is there, and what is kept of it
+            self._leaving = True  # close it when joining and trimming are done
             return
         if not self._unsaved:
             super().leave()
@@ -540,7 +541,7 @@ class RecordingPage(Page):
         self._keeper.drop()
         super().leave()
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _show_state(self) -> None:
         recorder = self._controller.recorder
@@ -571,7 +572,7 @@ class RecordingPage(Page):
         return self.tr("Stop recording") if recording else self.tr("Start recording")
 
     def _told(self) -> str:
-        """What it is: a file that names no arm was not recorded here, or of an unknown arm."""
+        """Return the heading; without an arm's name it is an import, or of an unknown arm."""
         if self._recording is not None and self._is_kept and not self._recording.taught_on:
             return self.tr("Imported file, or of an unknown arm: {time}, {count} samples, {size}")
         return self.tr("Recorded: {time}, {count} samples, {size}")

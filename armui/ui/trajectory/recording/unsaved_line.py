@@ -62,7 +62,7 @@ class UnsavedRecordingLine(HasActs, Translated, QWidget):
 
     @_keep.pressed
     def _on_keep(self) -> None:
-        self.setEnabled(False)  # nobody decides twice
+        self.setEnabled(False)  # a second press has no effect
         keep = partial(self._work.library.keep_recording, self._found[0])
         self._work.do(keep, self._on_kept, self._on_refused)
 

@@ -70,10 +70,10 @@ class _Started:
     """A run that was begun here.
 
     Attributes:
-        name: What was run.
-        cycles: How often was chosen.
-        left: How many of these cycles are left.
-        what: What was shown to be run.
+        name: The name of the trajectory.
+        cycles: The chosen number of cycles.
+        left: The cycles that are left.
+        what: The content shown at the start, for comparison with the present one.
     """
 
     name: str
@@ -177,7 +177,7 @@ class RunBar(Translated, QWidget):
             begins it; else ``None``.
         withdrawn: The question to the operator no longer applies.
         refused: A :class:`Refusal`.
-        obstacle_gone: What the last refusal told stands in the way no more.
+        obstacle_gone: The reason of the last refusal does not hold any more.
         progressed: A :class:`Progress`.
         started: The name of the started trajectory, and its :class:`RunOptions`.
     """
@@ -256,9 +256,9 @@ class RunBar(Translated, QWidget):
             *(self._cycles, self._times, self._from_row, self._steps),
             spacing_px=8,
         )
-        # in one line whatever is told: 发送, and the jog buttons above, stay in their places
+        # always one line, so that 发送 and the jog buttons above never move
         told = in_row((self._effective, 1), self._state, self._call_off, spacing=8, margins=0)
-        # what comes and goes stands first: a second press on its neighbour stays on that
+        # at the left end: no other button moves under the pointer when it disappears
         fill(told, self._resume, *self._beside, self._send)
         in_column(options, told, on=self, spacing=8, margins=0)
 
@@ -302,6 +302,7 @@ class RunBar(Translated, QWidget):
         self._name, self._speeds = name, speeds
         self._what = (name, count, tuple(speeds), recording, state)
         self._recording, self._nothing, self._unsaved = recording, nothing, unsaved
+        # a row lowered by the new maximum is not the operator's choice
         with QSignalBlocker(self._first):
             self._first.setMaximum(max(1, count))
         self._on_shared(name)
@@ -310,7 +311,7 @@ class RunBar(Translated, QWidget):
         self._show_usable()
 
     def renew_estimate(self) -> None:
-        """What would be run is another under the same name: how long it takes, too."""
+        """Estimate the time again, because the content has changed under the same name."""
         self._estimate.renew()
         self._follow_estimate()
 
@@ -330,7 +331,7 @@ class RunBar(Translated, QWidget):
         )
 
     def _begins_at(self) -> int:
-        """Return the speed at which a run would begin that was asked for now."""
+        """Return the speed percentage at which a run would begin now."""
         seen = self._runner.running or self._shared.has_run(self._name)
         return begin_percent(self._controller.operating_state.speed_percent, seen=seen)
 
@@ -344,6 +345,7 @@ class RunBar(Translated, QWidget):
             return
         wanted = self._shared.of(name)
         if wanted != self._options():
+            # what is only shown must not be stored as a new choice
             blocked = [QSignalBlocker(widget) for widget in self._choices]
             often = {1: _ONCE, ENDLESS: _LOOP}.get(wanted.cycles, _TIMES)
             self._cycles.setCurrentIndex(often)
@@ -355,7 +357,7 @@ class RunBar(Translated, QWidget):
         self._show_usable()
 
     def _show_effective(self) -> None:
-        """Tell how long it takes, at 100 % and at the operator's speed."""
+        """Show how long a run takes, at 100 % and at the operator's speed."""
         percent = self._begins_at()
         texts = self._times_texts(percent)
         if self._recording:
@@ -364,7 +366,7 @@ class RunBar(Translated, QWidget):
             tip = self.tr("The first sample is approached at {percent} %.")
             lines.append(tip.format(percent=capped_percent(APPROACH_PERCENT, percent)))
         else:
-            # further cycles begin with the first row
+            # a repeated run goes through all rows
             row = self._first.value() if self._cycles.currentIndex() == _ONCE else 1
             low, high = (sent_percent(one, percent) for one in self._range_from(row))
             figures = f"{low} %" if low == high else f"{low}–{high} %"
@@ -390,10 +392,10 @@ class RunBar(Translated, QWidget):
         """Return how long it takes: estimates, or as it was checked; empty if it is not known."""
         estimate = self._estimate
         if estimate.seconds is None or self._steps.isChecked() or percent == 0:
-            return []  # at 0 % it is held back: without end
+            return []  # a run waits at 0 %: its time is unlimited
         full = fmt.duration(estimate.seconds)
         texts = [full if estimate.is_checked else f"≈ {full}"]
-        if estimate.from_here:  # the list's figure is that of the rows alone
+        if estimate.from_here:  # the list shows the time without the way to row 1
             texts = [self.tr("from here {time}").format(time=texts[0])]
         if self._cycles.currentIndex() == _LOOP:
             texts = [self.tr("{time} a run").format(time=texts[0])]
@@ -415,7 +417,7 @@ class RunBar(Translated, QWidget):
         before = [one for one in self._speeds if one.row < row]
         return before[-1][1:] if before else (1, 1)
 
-    # What is asked for ------------------------------------------------------------------------
+    # Requests ---------------------------------------------------------------------------------
 
     def show_secondary(self, wanted: bool) -> None:
         """Set whether running is not the main action of the page."""
@@ -493,18 +495,18 @@ class RunBar(Translated, QWidget):
         return self._request is not None and self._request.is_busy
 
     def _options_to_resume(self) -> RunOptions:
-        """As shown now, from where it ended; for as many cycles as are left, unless chosen anew."""
+        """Return the options from where the run ended, with the cycles left unless changed."""
         options, again = self._options(), self._again
         if again is not None and again.cycles == options.cycles:
             options = replace(options, cycles=again.left)
         return replace(options, first=self._runner.progress.index)
 
     def _may_resume(self, name: str) -> bool:
-        """Return whether what ran last, wherever it was begun, is what was begun here."""
+        """Return whether the last run was begun here, and can go on with the same points."""
         progress, again = self._runner.progress, self._again
         if again is None or again.what != self._what:
             return False
-        points = progress.count > 0  # a recording is replayed from its beginning
+        points = progress.count > 0  # a recording can only be replayed from its beginning
         return points and again.name == progress.name == name and ended_early(progress)
 
     def _why_not_resume(self, content: Content) -> Refusal | None:
@@ -519,10 +521,10 @@ class RunBar(Translated, QWidget):
         return self._runner.progress
 
     def goes_by(self, points: Sequence[Waypoint]) -> bool:
-        """Return whether the run under way, or the last one, goes by these points."""
+        """Return whether the run under way, or the last one, is of exactly these points."""
         return self._runner.goes_by(points)
 
-    # How far it has come ----------------------------------------------------------------------
+    # Progress ---------------------------------------------------------------------------------
 
     def _on_progress(self, progress: Progress) -> None:
         if ended_early(progress) and self._again is not None:
@@ -533,7 +535,7 @@ class RunBar(Translated, QWidget):
         self.progressed.emit(progress)
 
     def _on_all_motion_ended(self) -> None:
-        """Begin nothing: a stop or a halt is meant for what was about to begin, too."""
+        """Drop a run that is about to begin: a stop or halt is meant for it as well."""
         if self._request is not None and self._request.runs:
             self._request.give_up()
 
@@ -552,7 +554,7 @@ class RunBar(Translated, QWidget):
         return now is not None and reason is not None and now.reason == reason.reason
 
     def _why_not(self) -> str:
-        """Tell why nothing can be sent now; "" if it can."""
+        """Return why nothing can be sent now; "" if it can."""
         if self._nothing is not None:
             return words.refusal(self._nothing)
         if self._runner.running:
@@ -562,14 +564,15 @@ class RunBar(Translated, QWidget):
     def _show_usable(self, *_: object) -> None:
         progress, checking = self._runner.progress, self.is_checking
         why_not = self._why_not()
-        for choice in self._choices:  # the run under way has its own
+        for choice in self._choices:  # they do not apply to the run under way
             choice.setEnabled(not self._runner.running)
         self._follow_estimate()
         self._show_effective()
         self._times.setVisible(self._cycles.currentIndex() == _TIMES)
         reason = self.tr("Checking…") if checking else why_not
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
-        asks = self._request is not None and self._request.asks  # by another button
+        # the question has its own primary button
+        asks = self._request is not None and self._request.asks
         show_primary(self._send, wanted=not (self._stands_back or asks))
         self._recolor()
         self._state.setText(self.tr("Checking…") if checking else "")
@@ -580,7 +583,7 @@ class RunBar(Translated, QWidget):
         enable_or_explain(self._resume, why_not)
         self._resume.setText(self.tr("Continue from row {row}").format(row=progress.index + 1))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def _recolor(self) -> None:
         colors = colors_of(self)

@@ -23,7 +23,7 @@ _PAUSE_MS: Final = 300
 
 
 def estimate_tip(*, known: bool, from_here: bool = False, in_list: bool = False) -> str:
-    """Return what an estimate says, or why there is none.
+    """Return the tooltip of an estimate, or the reason why there is none.
 
     Args:
         known: True if there is one.
@@ -98,20 +98,20 @@ class RunEstimate(QObject):
         self._pause.timeout.connect(self._begin)
 
     def follow(self, what: object, *, wanted: bool) -> None:
-        """Take in what is chosen; nothing is done where it is the same as before.
+        """Take over the selection; an unchanged one has no effect.
 
         Args:
-            what: Stands for all that the time depends on but the arm.
+            what: A value that changes with everything the time depends on, except the arm.
             wanted: True if the time is seen, and there is something to be run.
         """
         if not wanted:
             if self.is_asked:
                 self.renew()
-            return  # what is known holds while a list is made anew, and nothing is chosen
+            return  # the selection is empty for a moment while a list is rebuilt: keep the time
         here = self._checks.stands_at_deg
         chosen = (what, self._options(), self._percent(), self._checks.arm.fingerprint)
         if here is None and self._of is not None and self._of[0] == chosen:
-            return  # the arm is on its way or silent: what was known holds until it rests
+            return  # keep the time while the arm moves or is silent
         of = (chosen, here)
         if of != self._of:
             self._forget()
@@ -119,7 +119,7 @@ class RunEstimate(QObject):
             self._pause.start()
 
     def renew(self) -> None:
-        """Work the time out anew: the content has changed, which its name does not tell."""
+        """Compute the time again, because the content has changed under the same name."""
         self._of = None
         self._forget()
 

@@ -42,19 +42,19 @@ _MARGIN_PX: Final = 16
 _TOP_PX: Final = 6
 _SIDE_PX: Final = _MARGIN_PX + 10
 _LEAST_PX: Final = 220
-"""The width that the run's words have beside an obstacle, but where its buttons were."""
+"""The width of the texts beside an obstacle, unless the run's buttons were there."""
 _UNBOUNDED_PX: Final = 10_000
 END_MS: Final = 5000
-"""The time that the end of a run is told; one that failed is told until it is put away."""
+"""The time for which the end of a run is shown; a failed run is shown until it is closed."""
 _SAID: Final = frozenset({RUN_SPEED_ZERO, RUN_STOPPED})
-"""The reasons that the word of the phase tells."""
+"""The reasons that the word for the phase already names."""
 _PRESSES: Final = frozenset({QEvent.Type.MouseButtonPress, QEvent.Type.KeyPress})
 
 
 class RunStrip(HasActs, Translated, QWidget):
     """Visible from the beginning of a run until 5 s after its end, or the first press after it.
 
-    A run that failed is told until it is put away. It follows every run, of points or of a
+    A failed run is shown until it is closed. It follows every run, of points or of a
     recording.
 
     Args:
@@ -66,7 +66,7 @@ class RunStrip(HasActs, Translated, QWidget):
 
     turned = Signal()
     commands = (Command("run.go_on", operation=operation_of(Player.go_on)),)
-    # no button becomes another one under the finger: a pause pressed late never moves the arm
+    # buttons never take each other's place: a late press of Pause must not move the arm
     _next = Act("Next step", named="run_next")
     _pause = Act(
         "Pause",
@@ -77,7 +77,7 @@ class RunStrip(HasActs, Translated, QWidget):
         tip="The run waits until it is continued. The Pause key of the keyboard stays the "
         "emergency stop.",
     )
-    # a motion that was held back is never set going by a slip
+    # must be held, so that no slip sets a paused motion going
     _continue = Act("Continue", named="run_continue", held=True)
     _stop = Act("End run", named="run_stop", key="run.stop")
     _close = Act("Close", named="run_close", tip="Puts this line away; the run is over.", flat=True)
@@ -114,7 +114,8 @@ class RunStrip(HasActs, Translated, QWidget):
     def command_targets(self) -> Mapping[str, Target]:
         """Return the target of each command, by the command's name."""
         targets = super().command_targets()
-        go_on = self.go_on_button  # a press of the palette never sets the arm moving
+        # a button to hold: the palette only focuses it, and never starts a motion
+        go_on = self.go_on_button
         return targets if go_on is None else {**targets, "run.go_on": go_on}
 
     @property
@@ -125,9 +126,9 @@ class RunStrip(HasActs, Translated, QWidget):
 
     @property
     def stands_first(self) -> bool:
-        """True if it has no buttons beside an obstacle, whose own then stand where they always do.
+        """True if it is beside an obstacle without buttons, so that the obstacle's do not move.
 
-        Where it had some, their room is kept: no other button comes under the finger.
+        Once it had buttons their width is kept, so that no other button moves under the pointer.
         """
         return self._beside and not self._runner.running and not self._buttons_px
 
@@ -190,7 +191,8 @@ class RunStrip(HasActs, Translated, QWidget):
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
         self._told.setVisible(not (running and self._beside))
-        if running:  # beside an obstacle its end takes their room: the obstacle's button stays
+        # beside an obstacle the end's text takes their width, so that its button stays in place
+        if running:
             self._buttons_px = self._row.sizeHint().width() - 2 * _SIDE_PX if self._beside else 0
         self._close.setVisible(not running and (self.stands_first or not self._beside))
         told_px = self._buttons_px or _LEAST_PX
@@ -204,10 +206,10 @@ class RunStrip(HasActs, Translated, QWidget):
             self.turned.emit()
 
     def _tell_end(self, *, wanted: bool) -> None:
-        """Begin to tell the end of a run, which goes by itself or at the first press anywhere.
+        """Show the end of a run until a time has passed, or until the first press anywhere.
 
-        One that failed is put away by its own button alone. Beside an obstacle no press elsewhere
-        puts it away, which might slide the obstacle's button under the pointer.
+        A failed one is closed only by its own button. Beside an obstacle no press elsewhere closes
+        it, which might move the obstacle's button under the pointer.
         """
         app = QApplication.instance()
         if wanted == self._tells_end or app is None:
@@ -229,10 +231,11 @@ class RunStrip(HasActs, Translated, QWidget):
             self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Go at a press, which reaches what it was meant for."""
-        # to ask every event of the program for its type would take Python ten times as long
+        """Hide the end of a run at a press, which has its usual effect, too."""
+        # `event.type()` of every event of the program would take ten times as long in Python
         pressed = isinstance(event, QMouseEvent | QKeyEvent) and event.type() in _PRESSES
         if pressed and not self._beside:
+            # after the press has reached its widget, which hiding might move
             QTimer.singleShot(0, self, self.hide)
         return super().eventFilter(watched, event)
 

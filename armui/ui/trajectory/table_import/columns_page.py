@@ -83,7 +83,7 @@ class TableImport(QThread):
             self.error = error
 
     def _end(self) -> None:
-        """The program ends: what is being saved is saved, what is not is not."""
+        """Cancel the import, because the program ends; saving that has begun is completed."""
         self.requestInterruption()
         self.wait()
 
@@ -192,7 +192,7 @@ class ColumnsPage(Page):
         return ColumnMapping(self._table.columns, move, self._speed.value(), tool, frame)
 
     def _list_origins(self, *_: object) -> None:
-        """List what poses may be of; what is in force is chosen, as it shows poses elsewhere."""
+        """List tools and frames for poses; those in force are selected, as in other views."""
         if self.busy:
             return
         control = self._controller.cell
@@ -215,13 +215,13 @@ class ColumnsPage(Page):
         self._show_origins()
 
     def _show_origins(self) -> None:
-        """Poses alone are of something, and there must be a choice."""
+        """Show the choice of tool and frame if poses are imported, and there is more than one."""
         poses = self.mapping.move in (MoveMode.MOVE_P, MoveMode.MOVE_L)
         for widget in (self._of_label, self._of, self._in):
             widget.setVisible(poses and self._of.count() + self._in.count() > 2)
 
     def _likely_move(self) -> MoveMode | None:
-        """Return the first that the guessed columns suffice for; else what the most of them are of.
+        """Return the first result for which the columns suffice, else the one of most columns.
 
         Joint angles without time become points, poses points of MOVE P.
         """
@@ -233,21 +233,21 @@ class ColumnsPage(Page):
         return MoveMode.MOVE_P if poses else None
 
     def _fitting(self) -> list[MoveMode | None]:
-        """Return what the columns suffice for as they are."""
+        """Return the possible results for which the present columns suffice."""
         mapping = self.mapping
         return [one for one in _MOVES if not columns.check_mapping(replace(mapping, move=one))]
 
     @property
     def _angles(self) -> tuple[ColumnQuantity, ...]:
-        """The angles of what is imported."""
+        """The angles among the quantities to be imported."""
         return JOINTS if self.mapping.move in (None, MoveMode.MOVE_J) else POSE[3:]
 
     def _on_move(self) -> None:
-        """From now on it is not guessed any more."""
+        """Note the operator's choice, so that it is not guessed any more."""
         self._move_said = True
 
     def _read_anew(self) -> None:
-        """Read the file as the operator says; where that is not possible, say why."""
+        """Read the file again by the chosen dialect; show the reason if that is not possible."""
         bar = self._dialect_bar
         try:
             self._file = self._file.read_anew(bar.encoding, bar.dialect)
@@ -259,7 +259,7 @@ class ColumnsPage(Page):
         self._show_usable()
 
     def _show_file(self) -> None:
-        """What the operator has said of the columns stays, as long as they are the same."""
+        """Show the file; the operator's choices stay while the number of columns is the same."""
         sheet, old = self._file.sheet, self._table
         said = old.said if len(old.columns) == sheet.width else {}
         self._table = ColumnsTable(sheet, said)
@@ -273,7 +273,7 @@ class ColumnsPage(Page):
         self._source.setText(self._describe())
 
     def _reason_against(self) -> str:
-        """Tell why it cannot be imported as it is now; "" if it can."""
+        """Return why the table cannot be imported with these choices; "" if it can."""
         if self._misread:
             return self._misread
         reason = columns.check_mapping(self.mapping)
@@ -315,7 +315,7 @@ class ColumnsPage(Page):
         return told if by_deg > 0.0 else ""
 
     def _other_way(self) -> str:
-        """Return what else it can become."""
+        """Return a text on what else the table can become."""
         fitting = [self._moves.itemText(_MOVES.index(move)) for move in self._fitting()]
         if fitting:
             text = self.tr("Or choose “{choice}” under “{becomes}”: the columns suffice for that.")
@@ -332,7 +332,7 @@ class ColumnsPage(Page):
         return text.format(columns=fmt.listed(f"{each.quantity} {each.unit}" for each in angles))
 
     def _show_usable(self) -> None:
-        """Say at once what is wrong with what is chosen; an older message has had its time."""
+        """Show what is wrong with the choices, in the place of any older message."""
         text = self._reason_against()
         self._message.show_message(text or self._mixed_units(), Level.WARNING)
         asks = bool(text) and not columns.check_mapping(self.mapping)
@@ -384,7 +384,7 @@ class ColumnsPage(Page):
         self._message.show_message(said, Level.FAULT)
 
     def _let_choose(self, can: bool) -> None:
-        """While it is imported, nothing of it can be chosen; the emergency stop always works."""
+        """Disable all choices during an import; the emergency stop always works."""
         fields = (self._name, self._moves, self._of, self._in, self.import_button)
         for widget in (self._dialect_bar, self._table, *fields):
             widget.setEnabled(can)
@@ -402,7 +402,7 @@ class ColumnsPage(Page):
             self._work.requestInterruption()
             self._message.show_message(self.tr("Cancelling the import…"))
 
-    # Words ------------------------------------------------------------------------------------
+    # Texts ------------------------------------------------------------------------------------
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -72,7 +72,7 @@ class ColumnPicker(Translated, QWidget):
             self._quantity.addItem("", quantity)
         self._unit = _Choice(f"column_unit_{number}")
         self._origin = named(f"column_origin_{number}", ElidedLabel("warning"))
-        for label in (self._title, self._origin):  # Chinese is higher, and so is any text than none
+        for label in (self._title, self._origin):  # the same height for Chinese, Latin and no text
             label.setFixedHeight(_LINE_PX)
         parts = (self._title, self._quantity, self._unit, self._origin)
         in_column(*parts, on=self, spacing=4, margins=(_MARGIN_PX, 0, _MARGIN_PX, 0))
@@ -130,7 +130,7 @@ class ColumnPicker(Translated, QWidget):
         self.show_unit(before)
 
     def _on_quantity(self) -> None:
-        """The unit that the title names wins; another is guessed, and marked."""
+        """Set the unit that the title names, or else a guessed one, which is marked."""
         self._fill_units()
         quantity = self._quantity.currentData()
         self.guessed = False
@@ -170,7 +170,7 @@ class ColumnPicker(Translated, QWidget):
 
 
 class _Choice(QComboBox):
-    """Not turned by a wheel that was meant to move the table."""
+    """A box that ignores the wheel, which is meant to scroll the table."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -188,6 +188,7 @@ _ROWS: Final = 10
 _MOST_COLUMNS: Final = 60
 """The most columns shown beside those that a title names."""
 _LONGEST_CELL: Final = 200
+"""The most characters of a cell that are shown."""
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
 """The quantities that share a unit in most files."""
 
@@ -253,7 +254,7 @@ class ColumnsTable(QScrollArea):
     def _asking(
         self, needed: Collection[ColumnQuantity]
     ) -> tuple[list[ColumnPicker], tuple[str, ...]]:
-        """Angles of which no title says the unit, and no figure: all of a file are of one."""
+        """Return columns of angles whose unit neither titles nor figures show, and likely units."""
         angles = [each for each in self._pickers if each.column and each.column.quantity in needed]
         unsaid = [each for each in angles if each.guessed and not each.is_titled]
         if not unsaid or any(each.is_titled for each in angles):
@@ -281,7 +282,7 @@ class ColumnsTable(QScrollArea):
         self._note(asking)
 
     def _on_quantity(self, chosen: ColumnPicker) -> None:
-        """A further joint is in the unit of the others, unless its title names another."""
+        """Take over the unit of similar columns, unless the title names another one."""
         for other in self._kin_of(chosen):
             chosen.show_unit_of(other)
         self._note([chosen])
@@ -296,7 +297,7 @@ class ColumnsTable(QScrollArea):
         ]
 
     def _note(self, pickers: Sequence[ColumnPicker]) -> None:
-        """These say what the operator wants."""
+        """Store the choices of these columns as the operator's own."""
         for picker in pickers:
             place = self._places[self._pickers.index(picker)]
             self.said[place] = (picker.column, picker.guessed)
@@ -351,7 +352,7 @@ def _shown(sheet: Sheet) -> list[int]:
 def _rows_of(model: _Preview) -> QTableView:
     """Return a table as large as what it shows: it is moved together with the choices above it."""
     table = named("columns_preview", QTableView())
-    model.setParent(table)
+    model.setParent(table)  # a view does not own its model: without a parent Python would delete it
     table.setModel(model)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
     table.setFocusPolicy(Qt.FocusPolicy.NoFocus)

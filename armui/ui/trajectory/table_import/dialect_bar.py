@@ -56,7 +56,7 @@ class DialectBar(Translated, QWidget):
 
     @property
     def dialect(self) -> Dialect:
-        """The rest of the dialect, likewise."""
+        """The other parts of the dialect as set by the operator; ``None`` to guess one."""
         line = self._line.value() if self._line in self._said else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
 
@@ -74,7 +74,7 @@ class DialectBar(Translated, QWidget):
         return box.currentData() if box in self._said else None
 
     def _on_said(self, field: QWidget) -> None:
-        """What is another text, or parted otherwise, may have its figures elsewhere."""
+        """Note a corrected field; with another encoding the first line is guessed again."""
         self._said.add(field)
         if field is self._encoding:
             self._said.discard(self._line)
@@ -107,7 +107,7 @@ class DialectBar(Translated, QWidget):
 
 
 class _Line(QSpinBox):
-    """Enter takes the figure over, and does not import by it at once."""
+    """A field in which Enter takes over the figure, but does not start the import."""
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Keep Enter from pressing the default button."""

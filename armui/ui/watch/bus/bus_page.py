@@ -64,13 +64,15 @@ _SOON_MS: Final = 5
 _RUNNING_FRAMES: Final = 300
 """The frames shown in order of time while they run; all kept ones are shown in a pause."""
 _OLD_S: Final = 1.0
+"""Older figures of load and rates are not shown."""
 _BUSY_PERCENT: Final = 80.0
+"""The bus load from which on a warning is shown."""
 _KEYS: Final = ("bus.bus_load", "bus.frames_per_s", "bus.error_frames_per_s")
 _ICON_PX: Final = 16
 _INDENT_PX: Final = 22
 _SAYS_PX: Final = 220
 _WIDE: Final = "9000 /s"
-"""A figure this wide moves nothing beside it."""
+"""The widest text of a figure: labels get its width, so that nothing beside them moves."""
 
 
 class FrameTree(RowView):
@@ -138,7 +140,7 @@ class FrameTree(RowView):
         """Show the signal's curve at Enter."""
         if event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
             self._show_curve(self.currentIndex())
-            event.accept()  # a dialog would take it for its button
+            event.accept()  # else a dialog would press its default button
             return
         super().keyPressEvent(event)
 
@@ -203,7 +205,7 @@ class BusSummary(Translated, QWidget):
             snapshot: The counts.
             now_s: Monotonic time.
             counted: The text on the beginning of the count.
-            paused: The text that the figures are paused, which stands in their place; "" if they
+            paused: The text that the figures are paused, shown in their place; "" if they
                 are not.
             read_as: The text that the frames are read as those of a generation that is not known.
         """
@@ -227,7 +229,7 @@ class BusSummary(Translated, QWidget):
     @property
     def _lost(self) -> int:
         dropped = self._controller.bus.frames_dropped
-        self._lost_before = min(self._lost_before, dropped)  # another device counts anew
+        self._lost_before = min(self._lost_before, dropped)  # a newly opened device counts from 0
         return dropped - self._lost_before
 
     def _latest(self, key: str, now_s: float) -> float | None:
@@ -294,7 +296,7 @@ class BusSummary(Translated, QWidget):
 
 
 def _put(label: QLabel, text: str) -> None:
-    """Text that is the same is not laid out anew."""
+    """Set a label's text, unless it is the same: setting it costs a layout."""
     if label.text() != text:
         label.setText(text)
 
@@ -430,10 +432,10 @@ class BusPage(Page):
         self._show_counted()
 
     def _show_trace(self, rows: Sequence[FrameRow]) -> None:
-        """The frames of these rows; the newest in sight while they run by."""
+        """Show the frames of these rows in order of time, scrolled to the newest unless paused."""
         changed = self.filter_bar.wanted.changed_since_s is not None
         if changed and self._snapshot is not None:
-            # there it is each single frame that must have changed
+            # in this view only the frames that brought a change are shown
             wanted = self.filter_bar.wanted.for_trace
             rows = [row for row in self._snapshot.rows if wanted.accepts(row, self._texts.words)]
         running = self._standing is None
@@ -471,7 +473,7 @@ class BusPage(Page):
         if wanted:
             self.trace.scrollToBottom()
 
-    # One frame --------------------------------------------------------------------------------
+    # Menu and curves of a frame ---------------------------------------------------------------
 
     def quantities_at(self, place: QPoint) -> list[str]:
         """Return the keys of the quantities at a place of the page."""
@@ -487,7 +489,7 @@ class BusPage(Page):
         return index if viewport.rect().contains(inside) and index.isValid() else None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Show the menu of a frame."""
+        """Show the menu of a frame: curves, filter by its identifier, copying."""
         index = self._index_at(event.pos())
         if index is None:
             super().contextMenuEvent(event)

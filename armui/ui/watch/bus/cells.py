@@ -22,7 +22,7 @@ _PAD_PX: Final = 18
 _MORE: Final = " …"
 _BYTES: Final = 8
 _BYTE_CHARACTERS: Final = 3
-"""Two digits and a blank."""
+"""The characters of a byte as shown: two digits and a space."""
 
 
 class Tone(enum.Enum):
@@ -83,7 +83,7 @@ class TableCell:
 
 
 class HasCells(Protocol):
-    """A model that returns the cells of a row at once: Qt would ask ten questions for each."""
+    """A model that returns a row's cells at once: `data` would be called ten times for each."""
 
     def cells(self, index: Index) -> Sequence[TableCell]:
         """Return the cells from the first column to the last."""
@@ -194,7 +194,7 @@ class RowView(QTreeView):
         painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, text)
 
     def _draw_bytes(self, painter: QPainter, box: QRect, payload: Payload, tone: Tone) -> None:
-        """The changed ones apart, over their ground; the others in one go."""
+        """Draw the changed bytes one by one, highlighted, and all others as one text."""
         data, lit = payload.data[:_BYTES], payload.lit
         figures = [
             "  " if place < len(lit) and lit[place] else f"{byte:02X}"

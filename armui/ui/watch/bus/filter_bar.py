@@ -20,10 +20,11 @@ from armui.ui.words import frames
 _IDS_PX: Final = 140
 _TEXT_PX: Final = 140
 _BOLDER: Final = 1.15
+"""The width of a bold text relative to a normal one."""
 
 
 class FilterBar(HasActs, Translated, QWidget):
-    """Controls in a row; what is asked for seldom is folded into one of them.
+    """Controls in a row; a menu button holds the filters that are rarely used.
 
     Args:
         now_s: Returns the present time by the frames' clock.
@@ -91,7 +92,7 @@ class FilterBar(HasActs, Translated, QWidget):
 
     @property
     def wanted(self) -> FrameFilter:
-        """The present filter."""
+        """The filter as set by the controls."""
         return FrameFilter(
             text=self.text.text().strip(),
             ids=self._ids,
@@ -151,7 +152,8 @@ class FilterBar(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.show_acts()
-        for button in (self.by_id, self.in_order):  # the chosen one is written bolder
+        # the chosen one is bold, and must not move the others
+        for button in (self.by_id, self.in_order):
             button.setMinimumWidth(round(_BOLDER * button.sizeHint().width()))
         self.text.setPlaceholderText(self.tr("Name or identifier"))
         self.text.setAccessibleName(self.text.placeholderText())
@@ -159,7 +161,7 @@ class FilterBar(HasActs, Translated, QWidget):
         self.ids.setAccessibleName(self.tr("Identifiers"))
         self._tip_ids("")
         chosen = max(0, self.senders.currentIndex())
-        with QSignalBlocker(self.senders):
+        with QSignalBlocker(self.senders):  # filling the list again must not change the filter
             self.senders.clear()
             self.senders.addItem(self.tr("All senders"))
             self.senders.addItems([frames.frame_sender(sender) for sender in Sender])

@@ -90,7 +90,7 @@ class FrameTexts:
         return None if layout is None else layout.name
 
     def name(self, arbitration_id: int, flags: int) -> str:
-        """Return the displayed name of a frame."""
+        """Return the displayed name of a frame: that of its message, or else its kind."""
         message = self.message(arbitration_id, flags)
         if message is not None:
             return message_name(message)
@@ -162,7 +162,7 @@ def signals_text(signals: Sequence[SignalText]) -> str:
 
 
 def _spoken(codec: Codec | None) -> tuple[Generation, Addressing, FirmwareVersion | None] | None:
-    """What makes a codec read frames as it does."""
+    """Return what decides how a codec decodes frames, for comparison with another codec."""
     return None if codec is None else (codec.generation, codec.addressing, codec.firmware)
 
 
@@ -170,9 +170,9 @@ class _Node:
     """A row that is shown.
 
     Attributes:
-        row: As counted.
-        place: Among the rows shown.
-        details: How many rows are below it.
+        row: The counts.
+        place: The index among the rows shown.
+        details: The number of rows below it.
     """
 
     __slots__ = ("_read", "_says", "_signals", "details", "place", "row")
@@ -209,7 +209,7 @@ _Column = ViewColumn[Callable[["FrameModel", FrameRow], str]]
 
 
 class FrameColumn(ViewColumns):
-    """The columns; bytes and content are drawn otherwise, and the content takes the rest."""
+    """The columns; `cells` fills in bytes and content, and the content takes the rest."""
 
     ID = _Column(
         "ID",
@@ -346,7 +346,7 @@ class FrameModel(QAbstractItemModel):
         return len(node.signals(self.texts)) + bool(trouble and not said)
 
     def _fit_details(self, node: _Node) -> None:
-        """As many rows below it as there is to be said."""
+        """Insert or remove rows below a row, to match its signals and its fault."""
         before, wanted = node.details, self._wanted_details(node)
         if wanted == before:
             return
@@ -373,7 +373,7 @@ class FrameModel(QAbstractItemModel):
         keys = [signal.key for signal in node.signals(self.texts) if signal.key]
         return list(dict.fromkeys(keys))
 
-    # Qt's questions ---------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def _node(self, index: Index) -> _Node:
         number = index.internalId()
@@ -425,7 +425,7 @@ class FrameModel(QAbstractItemModel):
         return self.cells(index)[index.column()].data(role)
 
     def _key(self, index: Index) -> str | None:
-        """Of the quantity that a signal is drawn as."""
+        """Return the key of the quantity as which a signal can be drawn, or ``None``."""
         signals = self._node(index).signals(self.texts) if index.internalId() else []
         return signals[index.row()].key if index.row() < len(signals) else None
 
@@ -459,7 +459,7 @@ class FrameModel(QAbstractItemModel):
         return Payload(row.data, tuple(each > since_s for each in row.changed_s))
 
     def _tones(self, row: FrameRow) -> dict[FrameColumn, Tone]:
-        """By column."""
+        """Return the tone of each column of a row."""
         if row.is_silent(self._now_s):
             return dict.fromkeys(_COLUMNS, Tone.MUTED)
         tones = dict.fromkeys(_COLUMNS, Tone.PLAIN)
@@ -470,7 +470,7 @@ class FrameModel(QAbstractItemModel):
         return tones
 
     def _cycle(self, row: FrameRow) -> Cycle | None:
-        """Reckoned once for each row that came."""
+        """Return the cycle time, computed once for each update of a row."""
         known = self._cycles.get(row.number)
         if known is None or known[0] is not row:
             known = self._cycles[row.number] = row, row.cycle()
@@ -486,7 +486,7 @@ class FrameModel(QAbstractItemModel):
         return fmt.number(cycle.rate_hz, 1 if cycle.rate_hz < 100 else 0)
 
     def jitter(self, row: FrameRow) -> str:
-        """Return how unevenly it comes, and its longest gap, in milliseconds."""
+        """Return the mean deviation of the cycles, and the longest gap, in milliseconds."""
         cycle = self._cycle(row)
         if cycle is None:
             return fmt.NOTHING
@@ -494,7 +494,7 @@ class FrameModel(QAbstractItemModel):
         return f"±{_ms(cycle.deviation_s)} / {_ms(longest_s)}"
 
     def _detail_cells(self, node: _Node, place: int) -> list[TableCell]:
-        """A signal; below the signals what is wrong with the frame."""
+        """Return the cells of a row's signal, or below the signals those of its fault."""
         cells = [TableCell()] * len(_COLUMNS)
         signals = node.signals(self.texts)
         if place < len(signals):

@@ -96,7 +96,7 @@ class SendBox(HasActs, Translated, QWidget):
 
     @lock.pressed
     def close_lock(self) -> None:
-        """Lock the box."""
+        """Lock and hide the box, until it is unlocked again by a long press."""
         self._timer.stop()
         self._sent = ""
         self._show()
@@ -135,7 +135,7 @@ class SendBox(HasActs, Translated, QWidget):
         return parse_frame(self.identifier.text(), self.data.text())
 
     def _on_pressed(self) -> None:
-        """The frame that stands there when the button goes down is the one that is meant."""
+        """Note the frame in the fields at the press: no other one, typed meanwhile, is sent."""
         frame = self._typed()
         self._pressed = frame if isinstance(frame, Frame) else None
 
@@ -158,7 +158,7 @@ class SendBox(HasActs, Translated, QWidget):
         self._show()
 
     def refresh(self) -> None:
-        """Update the reasons against the frame."""
+        """Check again whether the typed frame can be sent, and show the reason if not."""
         if self.is_open:
             self._show()
 

@@ -16,6 +16,7 @@ from armui.ui.widgets.table_model import Index, TableModel, ViewColumn, ViewColu
 from armui.ui.words import frames
 
 _ERROR_BIT: Final = 0x20000000
+"""SocketCAN's flag of an error frame, as candump writes it."""
 _OTHERS: Final = frozenset({Sender.OTHER, Sender.OTHER_ARM})
 
 

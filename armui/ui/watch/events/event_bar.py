@@ -111,14 +111,14 @@ def _titles() -> list[str]:
 
 
 def _cells(entry: EventEntry) -> list[str]:
-    """With the date, and the level, which the window shows by a sign."""
+    """Return the cells of a file's row: date and time, the level as a word, the other columns."""
     begin = entry.wall.isoformat(sep=" ", timespec="milliseconds")
     columns = tuple(EventColumn)[1:]
     return [begin, event_level(gravity(entry)), *(each.read(entry) for each in columns)]
 
 
 def _harmless(text: str) -> str:
-    """A device may be called what a spreadsheet would take for a formula."""
+    """Quote a text, such as a device's name, that a spreadsheet would run as a formula."""
     return f"'{text}" if text[:1] in {"=", "+", "-", "@"} else text
 
 
@@ -175,7 +175,7 @@ class EventBar(HasActs, Translated, QWidget):
         return {**super().command_targets(), **self.save.targets("events")}
 
     def _fit_follow(self) -> None:
-        """Wide enough for its name in bold, as it is when it is on."""
+        """Make the button wide enough for its name in bold, which it has while it is on."""
         bold = QFont(self.follow.font())
         bold.setBold(True)
         text_px = QFontMetrics(bold).horizontalAdvance(self.follow.text())
@@ -183,7 +183,7 @@ class EventBar(HasActs, Translated, QWidget):
 
     @property
     def wanted(self) -> EventFilter:
-        """The present filter."""
+        """The filter as set by the controls."""
         return EventFilter(
             kinds=frozenset(kind for kind, button in self.kinds.items() if button.isChecked()),
             who=self.askers.currentData(),
@@ -206,13 +206,13 @@ class EventBar(HasActs, Translated, QWidget):
 
     @all_kinds.pressed
     def _on_all_kinds(self) -> None:
-        """Want all kinds, or none, from which some are chosen; whose they are stays as it is."""
+        """Tick all kinds, or none to choose some from; the filter of the source stays."""
         for each in self.kinds.values():
             each.setChecked(self.all_kinds.isChecked())
         self._tell()
 
     def show_count(self, shown: int, kept: int) -> None:
-        """Show the number of events."""
+        """Show how many events pass the filter, and how many the log has."""
         text = self.tr("{shown} of {kept}").format(shown=fmt.count(shown), kept=fmt.count(kept))
         if self.count.text() != text:
             self.count.setText(text)

@@ -99,7 +99,7 @@ class EventPage(Page):
     # What is shown ----------------------------------------------------------------------------
 
     def refresh(self) -> None:
-        """Add new events."""
+        """Add the events logged since the last call, and their number."""
         if self.model.follow():
             self._show_newest()
         self._show_count()
@@ -137,7 +137,7 @@ class EventPage(Page):
         return self.width() < _BESIDE_PX
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the detail where no row moves under the pointer when it comes: beside, or below."""
+        """Place the detail beside or below the table, where showing it moves no row."""
         super().resizeEvent(event)
         way = QBoxLayout.Direction
         if self._is_narrow:
@@ -169,13 +169,14 @@ class EventPage(Page):
             self.table.scrollToBottom()
 
     def _on_follow_pressed(self, on: bool) -> None:
-        """Leave the chosen event, and so its detail, for the newest ones."""
+        """Deselect the event, and so hide its detail, to follow the newest ones."""
         if on:
             self.table.selectionModel().clear()
             self._show_detail()
 
     def _on_scrolled(self) -> None:
-        """The operator looks at something older; at the end of the list it is followed again."""
+        """Follow the newest event only while the list is scrolled to its end."""
+        # actionTriggered comes before the bar has moved
         QTimer.singleShot(0, self, self._follow_where_it_ends)
 
     def _follow_where_it_ends(self) -> None:

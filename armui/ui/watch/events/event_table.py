@@ -182,7 +182,7 @@ class EventModel(TableModel):
         return self._log.newest - self._log.oldest + 1
 
     def set_filter(self, wanted: EventFilter) -> None:
-        """Set the filter."""
+        """Search the log again by another filter; the old rows stay until that is done."""
         if wanted != self._filter:
             self._filter = wanted
             self._rebuild()
@@ -207,7 +207,7 @@ class EventModel(TableModel):
         return row if row >= 0 else None
 
     def show_log(self, log: EventLog) -> None:
-        """Show another log."""
+        """Show the events of another log, under the present filter."""
         self._log = log
         self._texts.clear()
         self._rebuild()
@@ -256,7 +256,7 @@ class EventModel(TableModel):
             self._searching.start()
 
     def _found(self) -> Iterator[list[EventEntry] | None]:
-        """The entries that pass, and ``None`` for each piece of the way there."""
+        """Yield ``None`` after each piece of the search, and at last the entries that pass."""
         revision, entries = self._log.snapshot()
         wanted = self._filter
         if wanted.everything:
@@ -290,7 +290,7 @@ class EventModel(TableModel):
             known = self._texts[entry.number] = entry, search_text(entry)
         return known[1]
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return the text of a cell, or its looks."""
@@ -347,7 +347,7 @@ def _begin_s(entry: EventEntry) -> float:
 
 
 class EventTable(QTableView):
-    """Shows events.
+    """The table of events; its columns are as wide as their longest texts.
 
     Args:
         model: The events.
@@ -393,7 +393,7 @@ class EventTable(QTableView):
         self._share_room()
 
     def _share_room(self) -> None:
-        """Show as many columns as leave what happened readable."""
+        """Hide columns until the text of the event has enough width."""
         if not self._widths:
             return
         room_px = self.viewport().width() - sum(self._widths.values())

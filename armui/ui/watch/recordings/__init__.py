@@ -1,1 +1,1 @@
-"""The page 日志: the log in the making, and those that were kept."""
+"""The page 日志: the log being recorded, and the stored ones."""

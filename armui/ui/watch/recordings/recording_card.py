@@ -51,7 +51,7 @@ _BETWEEN_PX: Final = 12
 _FOLDER_PX: Final = 70
 _FIGURES_PX: Final = 215
 _INSIDE: Final = (8, 6, 8, 6)
-"""The margins of a card: two lines each, so that the list below has the drawer."""
+"""The margins of a card: it has only two lines, to leave the drawer's height to the list."""
 
 
 def episode_text(number: int, elapsed_s: float) -> str:
@@ -271,7 +271,7 @@ class RecordingCard(HasActs, Translated, QFrame):
         settings = self._store.settings
         self.format_box.setCurrentIndex(self.format_box.findData(settings.session_format))
         if not self.size_box.hasFocus():
-            before = self.size_box.blockSignals(True)
+            before = self.size_box.blockSignals(True)  # showing the setting must not store it again
             self.size_box.setValue(settings.session_rotate_mb)
             self.size_box.blockSignals(before)
         self.folder_name.show_text(str(self._sessions.choices.folder))

@@ -173,7 +173,7 @@ class SessionsModel(TableModel):
         """Return whether a recording is still being written."""
         return name in self._written
 
-    # What Qt asks -----------------------------------------------------------------------------
+    # The model's interface for Qt -------------------------------------------------------------
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return the flags of a cell; a name can be edited, unless its files are being written."""
@@ -196,7 +196,7 @@ class SessionsModel(TableModel):
             key = column.declared.order(entry)
             return column.read(self, entry).casefold() if key is None else key
         if role == Qt.ItemDataRole.DisplayRole:
-            # of what still grows the figures are those of the listing; the card above follows it
+            # figures of a growing recording would be outdated here; its card above updates them
             grows = column in _GROWING and self.is_written(entry.name)
             return fmt.NOTHING if grows else column.read(self, entry)
         if role == Qt.ItemDataRole.ToolTipRole and column in {
@@ -342,7 +342,7 @@ class SessionsPage(Page):
         cards = in_flow(self.recording, beside, spacing_px=_GAP_PX)
         for card in (self.recording, beside):
             cards.setAlignment(card, Qt.AlignmentFlag.AlignTop)
-        # beside the list, which has little height in the drawer
+        # stacked beside the list: above it they would take height, which is scarce in the drawer
         of_chosen = (self.open_button, self.export_button, self.rename_button, self.delete_button)
         listed = in_row((self.table, 1), in_column(*of_chosen, STRETCH, spacing=0))
         fill(self.body, cards, (listed, 1), self._hint, self._message)
@@ -360,7 +360,7 @@ class SessionsPage(Page):
         self._model.retranslate()
         self.show_acts()
 
-    # Looking ----------------------------------------------------------------------------------
+    # Listing the recordings -------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         """Read the folder again, and follow the recording in progress."""

@@ -87,7 +87,7 @@ class LogOpening(QObject):
         self._timer.timeout.connect(self._look)
 
     def begin(self) -> None:
-        """Begin to open the log."""
+        """Begin to open the log: by its index if it is a recording of ours, else by reading it."""
         if self._open_own is None:
             self._prepare()
         else:
@@ -135,7 +135,7 @@ class LogOpening(QObject):
             self._refuse(prepared)
             return
         self._folder, self._progress = prepared
-        if self._is_over:  # called off meanwhile
+        if self._is_over:  # cancelled meanwhile
             self._progress.close()
             self._background.begin_here(
                 Job(lambda _done: None), _clear_away, self._helper, self._folder
@@ -184,7 +184,7 @@ class LogOpening(QObject):
 
 
 def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
-    """A recording of this program with what it tells of its arms; ``None``: it is none."""
+    """Open a recording of this program, and survey its arms; ``None`` for any other log."""
     try:
         session = open_own(path)
     except NotALogError:
@@ -193,7 +193,7 @@ def _own_session(open_own: OpenOwn, path: Path) -> Opened | None:
 
 
 def _prepare() -> tuple[ScratchFolder, mmap.mmap] | Refusal:
-    """A folder for the columns, and the memory where the progress is told."""
+    """Make a folder for the columns, and the shared memory for the progress."""
     try:
         remove_leftovers()
         folder = make_folder("replay")

@@ -62,7 +62,7 @@ def end_of(mark: SessionMark, log_end_s: float) -> float | None:
     ended_s = mark.entry["ended_s"]
     if ended_s is None:
         return log_end_s
-    # a time by another clock is no time of this log
+    # an end before the beginning was taken from another clock
     return float(ended_s) if isinstance(ended_s, int | float) and ended_s >= mark.at_s else None
 
 

@@ -87,7 +87,7 @@ class ReplayEvents(Translated, QWidget):
         """Show events in the order of time."""
         self.model.show_log(log)
 
-    # Where the replay is ----------------------------------------------------------------------
+    # The replay's position --------------------------------------------------------------------
 
     def show_position(self, at_s: float) -> None:
         """Set the replay's time."""
@@ -96,7 +96,7 @@ class ReplayEvents(Translated, QWidget):
             self._light()
 
     def _light(self) -> None:
-        """Choose the event that was passed last, and bring it into sight."""
+        """Select the last event before the replay's time, and scroll to it."""
         row = self.model.row_at(self._at_s + _HERE_S)
         current = self.table.currentIndex().row()
         if row is None:
@@ -105,7 +105,7 @@ class ReplayEvents(Translated, QWidget):
                 self.table.clearSelection()
             return
         if current >= 0 and self._is_here(current, row):
-            return  # several happened at one moment: the operator has chosen among them
+            return  # keep the operator's choice among events of the same time
         flags = QItemSelectionModel.SelectionFlag
         index = self.model.index(row, 0)
         self.table.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
@@ -140,7 +140,8 @@ class ReplayEvents(Translated, QWidget):
             self._light()
 
     def _on_scrolled(self) -> None:
-        """The operator looks at something else; what is shown then stays."""
+        """Follow the replay only while its event is scrolled into sight."""
+        # actionTriggered comes before the bar has moved
         QTimer.singleShot(0, self, self._follow_what_is_seen)
 
     def _follow_what_is_seen(self) -> None:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from armui.ui.widgets.table_model import Index
 
 _SAME_S: Final = 1e-6
+"""Times nearer than this are equal but for rounding."""
 _SOON_S: Final = 0.05
 """More frames are read when the time is this near to the end of those loaded."""
 
@@ -70,7 +71,7 @@ class ReplayFrames(Translated, QWidget):
         if not self.isVisible() or at_s == self._at_s:
             return
         session, (begin_s, end_s) = self._replay.session, self._between_s
-        # what is just around the corner is read before it is reached
+        # frames after the loaded ones are read shortly before the time gets there
         if begin_s <= at_s <= end_s:
             self._at_s = at_s
             self._light()
@@ -82,7 +83,7 @@ class ReplayFrames(Translated, QWidget):
     def _on_read(self, read: tuple[BusStatistics, float, float] | Refusal) -> None:
         self._job = None
         if isinstance(read, Refusal):
-            self._between_s = (-math.inf, math.inf)  # it would be refused again
+            self._between_s = (-math.inf, math.inf)  # the same read would fail again
             self.message.show_message(partial(words.refusal, read), Level.FAULT)
             return
         statistics, begin_s, end_s = read
@@ -94,14 +95,14 @@ class ReplayFrames(Translated, QWidget):
         self.show_position(self._replay.position_s)
 
     def _light(self) -> None:
-        """Choose the frame that came last, and keep it in sight."""
+        """Select the last frame before the replay's time, and keep it in sight."""
         trace = self._trace
         if trace is None or not len(trace):
             return
         row = int(trace.times_s.searchsorted(self._at_s + _SAME_S, side="right")) - 1
         current = self.table.currentIndex().row()
         if 0 <= current < len(trace) and abs(trace.times_s[current] - self._at_s) < _SAME_S:
-            return  # several came at one moment: the operator has chosen among them
+            return  # keep the operator's choice among frames of the same time
         index = self.model.index(max(row, 0), 0)
         self.table.setCurrentIndex(index)
         self.table.scrollTo(index, TraceList.ScrollHint.PositionAtCenter)

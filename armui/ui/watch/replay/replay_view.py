@@ -65,6 +65,7 @@ if TYPE_CHECKING:
 
 
 _LOOK_MS: Final = 33
+"""The period of updating: 30 pictures a second."""
 _PICTURE_PX, _TABS_PX = 480, 900
 _HEADER_PAD_PX: Final = 16
 _MARK_PX: Final = 40
@@ -140,7 +141,7 @@ class RecordedJoints(JointMonitor):
     """
 
     def cell(self, item: Item, joint: int) -> StatusCell:
-        """Return one cell of the table."""
+        """Return one cell of the table, without the beginning of a fault."""
         return super().cell(item, joint)._replace(since=None)
 
 
@@ -377,7 +378,7 @@ class ReplayView(Translated, QWidget):
         self._show_frame()
 
     def _see_to_curves(self, at_s: float) -> None:
-        """Have read what they show, and say what is not there yet."""
+        """Request the samples of the visible curves, and mark the time that is not loaded yet."""
         board = self.curves.board
         seen = board.isVisible()
         shown_s = board.edge_s() + board.frame.shown.begin_s
@@ -391,7 +392,7 @@ class ReplayView(Translated, QWidget):
         board.show_missing(Missing(begin_s, end_s, text))
 
     def _show_frame(self) -> None:
-        """The frame that was taken in last: what stepping goes by."""
+        """Show the last decoded frame and its number, from which single steps go on."""
         last = self.replay.last_frame
         if last is None or self.replay.is_playing:
             self.transport.frame.setText("")

@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 _SIZE: Final = QSize(1440, 920)
 _MOST_TOLD: Final = 12
 _FIRST_LOOK_S: Final = 0.1
-"""The first place in a log, by which an arm has sent every message once."""
+"""The first time shown of a log: until then an arm has sent every message once."""
 _ICON_PX: Final = 18
 
 
@@ -200,11 +200,11 @@ class ReplayWindow(ArmDialog):
         self.resize(_SIZE.boundedTo(self.screen().availableSize()))
 
     def _waiting_part(self) -> QWidget:
-        """Before a log is open: choose one, or see how far the reading is."""
+        """Return the part shown before a log is open: a choice, or the progress of reading."""
         part = QWidget()
         self._hint = text_label("replay_hint", wraps=True, plain=True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        # its height would cut a text
+        # without text, for which its height is too small
         self.progress = named("replay_progress", QProgressBar(textVisible=False))
         self.progress.setFixedWidth(480)
         layout = in_column(on=part, spacing=14)
@@ -325,7 +325,7 @@ class ReplayWindow(ArmDialog):
         self.retranslate_ui()
 
     def _find_events(self, view: ReplayView, arm: RecordedArm) -> None:
-        """Have the events of what is shown read, or found in its frames."""
+        """Load the events of the shown channel, or detect them in its frames."""
         from armui.control.event_log.log_events import log_events  # noqa: PLC0415 - with a log
 
         def show(found: LoggedEvents | Refusal) -> None:
@@ -344,7 +344,7 @@ class ReplayWindow(ArmDialog):
         self._background.begin_here(job, work)
 
     def _keep_counts(self, session: Session, found: LoggedEvents) -> None:
-        """What its frames tell is known now: the list of recordings can tell it, too."""
+        """Store the counted faults and stops, which the list of recordings shows."""
         if isinstance(session, KeepsCounts) and session.lacks_counts:
             self._background.begin_here(Job(lambda _done: None), session.keep_counts, found.marks)
 
@@ -358,7 +358,7 @@ class ReplayWindow(ArmDialog):
         self._say(partial(words.refusal, reason), Level.FAULT)
 
     def _oddities(self, session: Session) -> str:
-        """Return what of the log could not be read, or was put right."""
+        """Return a text on the parts of the log that could not be read or were corrected."""
         parts = [words.refusal(each) for each in getattr(session, "notes", ())]
         if session.damage_count:
             text = self.tr("{count} places of the log could not be read; the rest is shown.")
@@ -422,7 +422,7 @@ class ReplayWindow(ArmDialog):
     # Leaving ----------------------------------------------------------------------------------
 
     def _leave(self) -> None:
-        """Let go of the log that is open or being opened."""
+        """Close the log that is open, or cancel its opening."""
         if self._opening is not None:
             self._opening.call_off()
             self._opening = None

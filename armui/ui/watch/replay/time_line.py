@@ -41,7 +41,7 @@ _ROWS: Final = {
     MarkKind.EPISODE: _EPISODE_ROW,
     MarkKind.DISCARDED: _DISCARDED_ROW,
 }
-"""Where marks that last are drawn."""
+"""The rows of the marks that have a duration."""
 _DRAWN: Final = (
     *(MarkKind.NOTE, MarkKind.DISCARDED, MarkKind.EPISODE, MarkKind.COMMAND),
     *(MarkKind.FAULT, MarkKind.STOP),
@@ -53,6 +53,7 @@ _NEAR_PX: Final = 5.0
 _LEAST_PX: Final = 2.0
 _MOST_TOLD: Final = 8
 _CLOSEST_S: Final = 0.05
+"""The length of time shown at the closest zoom."""
 _WHEEL: Final = 1.25
 _STEP_S: Final = 1.0
 _SMALL_STEP_S: Final = 0.1
@@ -124,18 +125,18 @@ class TimeLine(Translated, QWidget):
         return self._from_s, self._to_s
 
     def place_px(self, at_s: float) -> float:
-        """Return the place of a time."""
+        """Return the x coordinate of a log time, in pixels."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         return _EDGE_PX + (at_s - self._from_s) / (self._to_s - self._from_s) * width_px
 
     def time_at(self, x_px: float) -> float:
-        """Return the time at a place."""
+        """Return the log time at an x coordinate in pixels."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         share = min(max((x_px - _EDGE_PX) / width_px, 0.0), 1.0)
         return self._from_s + share * (self._to_s - self._from_s)
 
     def told_at(self, x_px: float) -> list[str]:
-        """Return the texts of the marks at a place."""
+        """Return the texts of the marks at an x coordinate in pixels."""
         near_s = self.time_at(x_px + _NEAR_PX) - self.time_at(x_px)
         at_s = self.time_at(x_px)
         found = []
@@ -245,9 +246,9 @@ class TimeLine(Translated, QWidget):
         painter.end()
 
     def _draw_marks(self, painter: QPainter, colors: Colors) -> None:
-        """Faults and episodes as long as they last, stops as triangles, commands as ticks.
+        """Draw faults and episodes as bars, stops as triangles, commands as ticks.
 
-        An episode that was discarded is a thin grey line.
+        The length of a bar is the duration; a discarded episode is a thin grey one.
         """
         inks = {
             MarkKind.EPISODE: colors.ok,
@@ -263,7 +264,7 @@ class TimeLine(Translated, QWidget):
             painter.drawPath(path)
 
     def _shapes_of_marks(self) -> dict[MarkKind, QPainterPath]:
-        """What is drawn of them, by kind, the last above the others; made anew for another span."""
+        """Return a path for each kind of marks, topmost last; cached until the span changes."""
         width_px = max(1.0, self.width() - 2 * _EDGE_PX)
         span = self._from_s, self._to_s, width_px
         if span != self._span_of_shapes:
@@ -272,7 +273,7 @@ class TimeLine(Translated, QWidget):
         return self._shapes
 
     def _draw_times(self, painter: QPainter, colors: Colors) -> None:
-        """Times since the beginning, as many as there is room for."""
+        """Draw the times since the beginning, as many as fit."""
         painter.setPen(QColor(colors.muted))
         metrics = painter.fontMetrics()
         room_px = metrics.horizontalAdvance(fmt.clock(self._end_s - self._start_s, 3)) + 24
@@ -302,7 +303,7 @@ class TimeLine(Translated, QWidget):
 
 
 def _shape(kind: MarkKind, places_px: NDArray[np.float64]) -> QPainterPath:
-    """The marks of one kind in one shape: drawn at once, however many there are."""
+    """Return all marks of a kind as one path, which is drawn fast however many there are."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
     row = _ROWS.get(kind, _COMMAND_ROW)
@@ -327,7 +328,7 @@ def _triangle(x_px: float) -> QPolygonF:
 
 
 def _round_step(least_s: float) -> float:
-    """The next longer step that people count in."""
+    """Return the next longer step of clock units, in seconds."""
     steps = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800)
     longer = next((each for each in steps if each >= least_s), None)
     return longer if longer is not None else 3600.0 * max(1, math.ceil(least_s / 3600.0))

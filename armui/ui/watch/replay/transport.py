@@ -67,7 +67,7 @@ class Transport(Translated, QWidget):
     def _button(self, name: str, act: Callable[[], object]) -> QPushButton:
         button = push_button(f"replay_{name}", on_enter=False)
         button.setIconSize(QSize(_ICON_PX, _ICON_PX))
-        # the window keeps the keys: one that is held plays on in no other control
+        # a click leaves the focus, so that a key held down does not act on this button
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda _on=False: act())
         listen_for(f"replay.{name}", self, act, Qt.ShortcutContext.WindowShortcut)

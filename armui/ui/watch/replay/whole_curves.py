@@ -73,7 +73,7 @@ class WholeCurves(QWidget):
         board.show_plots(SETS["follow"])
         board.frame.stand(history.end_s, max(history.end_s - history.begin_s, _LEAST_S))
         board.cursors_changed.connect(self._on_cursors)
-        # it stands still, its cursor is the replay's place, and the values are those there
+        # the plots stand still; their cursor is the replay's time, at which values are shown
         board.values_at_cursor = True
         area.cursor_table.is_wanted = False
         area.bar.pause.hide()
