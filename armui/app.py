@@ -371,16 +371,16 @@ class Program:
         self.window.show_failure(failure, motion_ended=ended)
 
     def _on_unsaved(self, reason: Refusal) -> None:
-        self._tell(SETTINGS_UNSAVED, reason=reason)
+        self._emit_event(SETTINGS_UNSAVED, reason=reason)
 
     def _on_closed(self, closed: tuple[ClosedFolder, ...]) -> None:
-        self._tell(FOLDERS_CLOSED, folders="; ".join(map(str, closed)))
+        self._emit_event(FOLDERS_CLOSED, folders="; ".join(map(str, closed)))
 
     def _replace_hung(self, files: FileThread) -> None:
         if files.replace_hung():
-            self._tell(FILES_HANG, count=files.hanging)
+            self._emit_event(FILES_HANG, count=files.hanging)
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
         self.controller.noticed.emit(Event(at, notice, params))
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
-from armui.control.operations.telling import Tell
+from armui.control.operations.telling import EmitEvent
 from armui.telemetry.events import EventKind, Level
 
 PART_FAILED_NOTICE = Notice(
@@ -28,14 +28,16 @@ class Parts:
     operator is told its first failure; every failure is logged.
 
     Args:
-        tell: Takes the events.
+        emit_event: Takes the events.
         on_failure: Called at each failure: no motion may go on unwatched.
     """
 
-    def __init__(self, tell: Tell, on_failure: Callable[[], None] = lambda: None) -> None:
+    def __init__(
+        self, emit_event: EmitEvent, on_failure: Callable[[], None] = lambda: None
+    ) -> None:
         self._parts: Sequence[ControllerPart] = ()
         self._last: Sequence[ControllerPart] = ()
-        self._tell = tell
+        self._emit_event = emit_event
         self._on_failure = on_failure
         self._failed: set[str] = set()
         self._out_of_order: set[str] = set()
@@ -100,6 +102,6 @@ class Parts:
             _LOG.exception("%s has failed", name)
             if name not in self._failed:
                 self._failed.add(name)
-                self._tell(PART_FAILED_NOTICE, part=name)
+                self._emit_event(PART_FAILED_NOTICE, part=name)
             return False
         return True

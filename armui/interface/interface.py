@@ -275,7 +275,7 @@ class Interface(QObject):
         self._began = now.stop, fault_of(now.status)
         self._most_percent, self._slowed = lease.max_speed_percent, False
         self._cap_speed(lease)
-        self._tell(
+        self._emit_event(
             reasons.LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent
         )
         if waiting is not None:
@@ -301,7 +301,7 @@ class Interface(QObject):
         if waiting is None or waiting.told is None:
             return
         told = waiting.told
-        self._tell(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
+        self._emit_event(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
         if self._run is not None and self._run[0] is waiting:
             self._run[1].accept()
         elif waiting.bound is not None:
@@ -385,7 +385,7 @@ class Interface(QObject):
         )
         if refusal is not None:
             raise refused(refusal)
-        self._tell(reasons.LEASE_ASKED, client=str(client), purpose=purpose)
+        self._emit_event(reasons.LEASE_ASKED, client=str(client), purpose=purpose)
         self._asking = waiting
         if self._lessor.held is not None:
             self._granted(self._lessor.held)
@@ -407,7 +407,7 @@ class Interface(QObject):
         ask, waiting = self._lessor.decline(), self._asking
         self._asking = None
         if ask is not None:
-            self._tell(reasons.LEASE_REFUSED, client=str(ask.client), reason=reason)
+            self._emit_event(reasons.LEASE_REFUSED, client=str(ask.client), reason=reason)
         if waiting is not None:
             self._answer(waiting, refused(reason))
         self._show()
@@ -426,7 +426,7 @@ class Interface(QObject):
         if reason.reason != LEASE_STOPPED:
             self._controller.end_motion_of(self._moving)
         self._moving.clear()
-        self._tell(reasons.LEASE_ENDED, client=str(lease.ask.client), reason=reason)
+        self._emit_event(reasons.LEASE_ENDED, client=str(lease.ask.client), reason=reason)
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
             if self._holder is not None:
@@ -461,7 +461,7 @@ class Interface(QObject):
             if percent > self._most_percent:
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
-        self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
+        self._emit_event(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
         height_mm = waiting.call.params.get("agreed_mm", 0.0)
         agrees = height_mm != 0.0 and check_figure("agreed_mm", height_mm, AGREED) is None
         # it is the operator who agrees
@@ -571,7 +571,7 @@ class Interface(QObject):
         if self._run is not None:
             raise refused(reasons.CONSENT_BUSY())
         title = self._controller.operations[_RUN].operation.title
-        self._tell(reasons.CLIENT_ASKS, client=str(waiting.session.client), operation=title)
+        self._emit_event(reasons.CLIENT_ASKS, client=str(waiting.session.client), operation=title)
         request = self._library().run(
             *(name, cycles, first_row), partial(self._on_run, waiting), self._give_up_run
         )
@@ -762,7 +762,7 @@ class Interface(QObject):
             }
             self._server.tell("event", params)
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         self._controller.noticed.emit(Event(datetime.now().astimezone(), notice, params))
 
     def _answer(self, waiting: _Waiting, value: object | CallError) -> None:

@@ -169,7 +169,7 @@ class AreaGuard(ControllerPart):
             self._follow_measured(state, check)
         runs = context.operating_state().stop is StopState.RUNNING
         if self._ran and not runs and (names := self.below()):
-            context.tell(AREA_BELOW, names=names)
+            context.emit_event(AREA_BELOW, names=names)
         self._ran = runs
 
     def _follow_measured(self, state: ArmState, check: AreaCheck | None) -> None:
@@ -180,9 +180,9 @@ class AreaGuard(ControllerPart):
         self._looked_by = check
         for name, entry in inside.items():
             if name not in self._inside:
-                context.tell(notice, name=name, part=entry.part, value=self._too_near(entry))
+                context.emit_event(notice, name=name, part=entry.part, value=self._too_near(entry))
         if self._inside and not inside:
-            context.tell(AREA_LEFT)
+            context.emit_event(AREA_LEFT)
         deeper = [
             name
             for name, entry in inside.items()

@@ -338,7 +338,7 @@ class GripperControl(RequestingPart[str]):
         self._commanded_s = now_s
         self._travel = _Travel(asked, heard.travel, now_s, now_s, unit, effort, started)
         told = unit if uncalibrated else self._unit_shown(unit)
-        self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
+        self._context.emit_event(GRIPPER_SENT, started, value=travel, unit=told)
         return None
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
@@ -537,7 +537,7 @@ class GripperControl(RequestingPart[str]):
         here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
         context.connection.send(here, passed=context.gate().ask_no_way())
         value, unit = self._shown(heard.value.travel, travel.unit), self._unit_shown(travel.unit)
-        context.tell(GRIPPER_HELD, value=value, unit=unit)
+        context.emit_event(GRIPPER_HELD, value=value, unit=unit)
 
     def _drop_request(self) -> None:
         super()._drop_request()

@@ -106,14 +106,14 @@ class InstanceRegistry(QObject):
     def _on_counted(self, notice: Notice, what: object, count: int | OSError) -> None:
         if isinstance(count, OSError):
             if not self._alone:
-                self._tell(NOBODY_MET, path=str(self._folder), text=error_text(count))
+                self._emit_event(NOBODY_MET, path=str(self._folder), text=error_text(count))
             self._alone = True
             return
         late = notice == CHANNEL_SHARED and what != self._device
         if count and not late:
             name = "device" if notice == CHANNEL_SHARED else "path"
-            self._tell(notice, count=count, **{name: what})
+            self._emit_event(notice, count=count, **{name: what})
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
         self._controller.noticed.emit(Event(at, notice, params))

@@ -159,11 +159,11 @@ class Motion(ControllerPart):
         )
         started.close(Ending.SENT)
         if tellable and self.tell_speed():
-            context.tell(SENT_SPEED, started, percent=context.authority.arm_percent)
+            context.emit_event(SENT_SPEED, started, percent=context.authority.arm_percent)
             if lower and context.authority.may_be_ours:
                 self._lower_speed.schedule()
         elif context.authority.holds:
-            context.tell(SPEED_WAITS, started, percent=self.speed_percent)
+            context.emit_event(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
         return None
 

@@ -152,7 +152,7 @@ class PlannedMotion(ControllerPart):
             refusal = self._send(command, frames)
         if refusal is None:
             started.close(Ending.SENT)
-            context.tell(PLAN_SENT, started, plan=int(command))
+            context.emit_event(PLAN_SENT, started, plan=int(command))
         return refusal
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:

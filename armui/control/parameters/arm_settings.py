@@ -204,7 +204,7 @@ class ArmSettings(QObject, ControllerPart):
         if refusal is not None:
             return refusal
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        self._context.tell(SETTINGS_SENT, started, count=len(changes), values=values)
+        self._context.emit_event(SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
         self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
@@ -287,7 +287,7 @@ class ArmSettings(QObject, ControllerPart):
             return refusal
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
-        self._context.tell(SETTINGS_RESET_SENT, started)
+        self._context.emit_event(SETTINGS_RESET_SENT, started)
         self._submit(
             Transaction(
                 command(self._context.connection.codec),

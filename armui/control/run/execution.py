@@ -211,7 +211,7 @@ class Execution(QObject, ControllerPart):
         """Tell once that the arm holds, as soon as it is measured at rest since the pause."""
         if self._hold_untold and self._rests():
             self._hold_untold = False
-            self._context.tell(PAUSE_HOLDS)
+            self._context.emit_event(PAUSE_HOLDS)
 
     def _publish(self) -> None:
         progress = self._snapshot(

@@ -314,11 +314,11 @@ class Inspection(ControllerPart):
             self._reference.keep_inspection(entry)
         if found:
             striking = joint_list(sorted({each.joint for each in found}))
-            self._context.tell(INSPECTED_STANDS_OUT, joints=striking)
+            self._context.emit_event(INSPECTED_STANDS_OUT, joints=striking)
         if unmeasured:
-            self._context.tell(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
+            self._context.emit_event(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
         elif not found:
-            self._context.tell(INSPECTED)
+            self._context.emit_event(INSPECTED)
 
     @staticmethod
     def _why_not_measured(swing: Swing, *, heard: bool) -> Refusal:

@@ -162,9 +162,9 @@ class Player(Execution):
             for target_deg in context.gate().ways_inside()
         ]
         self._started = started
-        context.tell(RUN_STARTED, started, name=run.name)
+        context.emit_event(RUN_STARTED, started, name=run.name)
         if self._way_in:
-            context.tell(RUN_FROM_OUTSIDE)
+            context.emit_event(RUN_FROM_OUTSIDE)
         self._send_point()
         return None
 
@@ -179,7 +179,7 @@ class Player(Execution):
         self._paused_s = self._context.clock()
         self._await_hold()
         started.close(Ending.SENT)
-        self._context.tell(RUN_PAUSED, started, row=self._index + 1)
+        self._context.emit_event(RUN_PAUSED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -209,7 +209,7 @@ class Player(Execution):
         self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
-        self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
+        self._context.emit_event(RUN_CONTINUED, started, row=self._index + 1)
         if unsent:
             self._send_point()
         self._publish()

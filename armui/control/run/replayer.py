@@ -133,9 +133,9 @@ class Replayer(Execution):
         if refusal is not None:
             self._started, self._replay, self._phase = last, None, RunPhase.IDLE
             return refusal
-        context.tell(RUN_STARTED, started, name=replay.recording.name)
+        context.emit_event(RUN_STARTED, started, name=replay.recording.name)
         if self._way_in:
-            context.tell(RUN_FROM_OUTSIDE)
+            context.emit_event(RUN_FROM_OUTSIDE)
         self._timer.start()
         self._publish()
         return None
@@ -155,7 +155,7 @@ class Replayer(Execution):
         self._phase = RunPhase.PAUSED
         self._await_hold()
         started.close(Ending.SENT)
-        self._context.tell(REPLAY_PAUSED, started)
+        self._context.emit_event(REPLAY_PAUSED, started)
         self._publish()
 
     @operation(
@@ -176,7 +176,7 @@ class Replayer(Execution):
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
         started.close(Ending.SENT)
-        self._context.tell(REPLAY_CONTINUED, started)
+        self._context.emit_event(REPLAY_CONTINUED, started)
         self._publish()
         return None
 

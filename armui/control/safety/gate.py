@@ -24,7 +24,7 @@ from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import close_and_tell
+from armui.control.operations.telling import close_and_emit
 from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.telemetry.events import EventKind, Level
@@ -470,7 +470,7 @@ class Gate(ControllerPart):
         request.sent(sent)
         if request.told is not None:
             notice, figures = request.told
-            self._context.tell(notice, request.started, **figures)
+            self._context.emit_event(notice, request.started, **figures)
         return None
 
     # The controller's tick ------------------------------------------------------------------
@@ -512,7 +512,7 @@ class Gate(ControllerPart):
             return refusal
         if not pending.told and now_s - pending.since_s >= _SAID_AFTER_S:
             pending.told = True
-            context.tell(CHECKING)
+            context.emit_event(CHECKING)
         return None
 
     def _check_at_rest(self, pending: _Pending) -> Refusal | None:
@@ -548,8 +548,13 @@ class Gate(ControllerPart):
             request.refused(refusal)
             return
         context = self._context
-        close_and_tell(
-            context.tell, context.clock(), request.started, Ending.REFUSED, REFUSED, reason=refusal
+        close_and_emit(
+            context.emit_event,
+            context.clock(),
+            request.started,
+            Ending.REFUSED,
+            REFUSED,
+            reason=refusal,
         )
 
     def _drop(self, ending: Ending) -> None:

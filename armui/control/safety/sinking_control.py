@@ -249,7 +249,7 @@ class SinkingControl(ControllerPart):
             unheard = told is not None and told.kind is MotionKind.UNHEARD
             self._told = motion
             if not unheard and motion.speed_mm_s:
-                self._context.tell(ARM_UNHEARD_MOVING, speed=motion.speed_mm_s)
+                self._context.emit_event(ARM_UNHEARD_MOVING, speed=motion.speed_mm_s)
             return
         if motion.cause in _UNTOLD:
             return
@@ -265,7 +265,7 @@ class SinkingControl(ControllerPart):
         self._told, self._told_s = motion, now_s
 
     def _announce(self, notice: Notice, motion: UncommandedMotion) -> None:
-        self._context.tell(notice, **motion.figures())
+        self._context.emit_event(notice, **motion.figures())
 
 
 def _is_led(status: Status | None) -> bool:

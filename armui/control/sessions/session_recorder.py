@@ -223,7 +223,7 @@ class SessionRecorder(QObject):
         self._note_facts()
         self._timer.start()
         started = self._started[self._recording] = Started("session.record")
-        self._context.tell(SESSION_STARTED, started, name=plan.name)
+        self._context.emit_event(SESSION_STARTED, started, name=plan.name)
         if self._episodes is not None:
             self._episodes.begin_log(self._recording.note, plan.base.shift_s)
         self.changed.emit()
@@ -344,7 +344,7 @@ class SessionRecorder(QObject):
             self.changed.emit()
         elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
             count, self._lost_told = lost - self._lost_told, lost
-            self._context.tell(SESSION_FRAMES_LOST, count=count)
+            self._context.emit_event(SESSION_FRAMES_LOST, count=count)
         for each in [one for one in self._ending if not one.running]:
             self._ending.remove(each)
             if each.failure is None:
@@ -368,10 +368,10 @@ class SessionRecorder(QObject):
         self._saving = self._saving_plan = None
         error = saving.exception()
         if error is None:
-            self._context.tell(RING_SAVED, name=saving.result().stem)
+            self._context.emit_event(RING_SAVED, name=saving.result().stem)
         else:
             reason = why_not_written(error, self.choices.folder)
-            self._context.tell(RING_NOT_SAVED, reason=reason)
+            self._context.emit_event(RING_NOT_SAVED, reason=reason)
         self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:
