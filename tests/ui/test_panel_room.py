@@ -48,7 +48,7 @@ def test_no_button_below_the_card_moves_when_something_is_said(panel, height):
     area = panel.findChild(QScrollArea)
     buttons = [each for each in panel.findChildren(QPushButton) if not area.isAncestorOf(each)]
     before = [each.geometry() for each in buttons]
-    panel._say(Refusal(STOPPED))
+    panel._show_refusal(Refusal(STOPPED))
     QApplication.sendPostedEvents()
     message = panel.findChild(MessageLine)
     assert message.isVisible()

@@ -153,12 +153,12 @@ class AdapterLine(Translated, QWidget):
         self._end_listening()
         refusal = why_not_switch(remedy[0], remedy[1], self._controller.operating_state)
         if refusal is not None:
-            self._say(partial(words.refusal, refusal), Level.WARNING)
+            self._show_message(partial(words.refusal, refusal), Level.WARNING)
             return
         self._number += 1
         number = self._number
         self._remedy, self._shown = remedy, shown
-        self._say(self.tr("The system asks for the administrator's password…"), busy=True)
+        self._show_message(self.tr("The system asks for the administrator's password…"), busy=True)
         self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
 
     def cancel(self) -> None:
@@ -166,7 +166,7 @@ class AdapterLine(Translated, QWidget):
         if self._change is not None:
             self._change.end()
             self._change = None
-            self._say(self.tr("Cancelled. The system finishes what had begun."))
+            self._show_message(self.tr("Cancelled. The system finishes what had begun."))
         self._end_listening()
         self._number += 1
         self.cancel_button.hide()
@@ -182,7 +182,7 @@ class AdapterLine(Translated, QWidget):
         self._change = None
         if isinstance(answer, Refusal):
             self._forbidden = answer.reason == ADAPTER_NOT_AUTHORISED
-            self._say(partial(words.refusal, answer), Level.FAULT)
+            self._show_message(partial(words.refusal, answer), Level.FAULT)
             self.changed.emit()
             return
         self._on_done(answer)
@@ -193,15 +193,15 @@ class AdapterLine(Translated, QWidget):
         refusal = why_not_switch(verb, subject, self._controller.operating_state)
         changed = self._shown is not None and self._shown != planned
         if refusal is None and not changed and self._change is not None:
-            self._say(self.tr("Under way…"), busy=True)
+            self._show_message(self.tr("Under way…"), busy=True)
             self._change.go()
             return
         self.cancel()
         if refusal is not None:
-            self._say(partial(words.refusal, refusal), Level.WARNING)
+            self._show_message(partial(words.refusal, refusal), Level.WARNING)
         else:
             said = self.tr("The adapter is not the one that was shown: nothing was written.")
-            self._say(said, Level.WARNING)
+            self._show_message(said, Level.WARNING)
 
     def _on_done(self, done: Done) -> None:
         verb, subject = self._remedy[:2]
@@ -209,19 +209,19 @@ class AdapterLine(Translated, QWidget):
             self._listen(subject)
         elif verb == "down":
             said = self.tr("{channel} is switched off.").format(channel=subject)
-            self._say(said, Level.DONE)
+            self._show_message(said, Level.DONE)
         elif done.told.get("not_told"):
             said = self.tr("Done; it takes effect at the next start of this computer.")
-            self._say(said, Level.DONE)
+            self._show_message(said, Level.DONE)
         else:
             said = self.tr("Done; it takes effect when the adapter is plugged in again.")
-            self._say(said, Level.DONE)
+            self._show_message(said, Level.DONE)
         self.changed.emit()
 
     def _listen(self, interface: str) -> None:
         """Listen to the interface: frames prove that it works, the answer of the system doesn't."""
         said = self.tr("{channel} is switched on; listening whether anything is heard…")
-        self._say(said.format(channel=interface), busy=True)
+        self._show_message(said.format(channel=interface), busy=True)
         number = self._number
         device = self._controller.operating_state.device
         if device is not None and str(device.channel) == interface:
@@ -242,13 +242,13 @@ class AdapterLine(Translated, QWidget):
         count = self._controller.state.frames - self._frames
         if count > 0:
             said = self.tr("{channel} is switched on, and {count} frames were heard.")
-            self._say(said.format(channel=interface, count=count), Level.DONE)
+            self._show_message(said.format(channel=interface, count=count), Level.DONE)
             return
         said = self.tr(
             "{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable "
             "plugged in, the bit rate the arm's?"
         )
-        self._say(said.format(channel=interface), Level.WARNING)
+        self._show_message(said.format(channel=interface), Level.WARNING)
 
     def tell_heard(self, findings: list[Diagnosis] | str) -> None:
         """Take in what another examination has found, where this one waits for it."""
@@ -265,19 +265,19 @@ class AdapterLine(Translated, QWidget):
             return
         self._listening = None
         if isinstance(findings, str):
-            self._say(findings, Level.FAULT)
+            self._show_message(findings, Level.FAULT)
             return
         of_arm = [each for each in findings if each.section is Section.ARM]
         good = any(each.kind == ARM for each in of_arm)
         if not of_arm:  # the adapter is gone again, or the arm was not examined
             said = self.tr("{channel}: nothing was found out. Run the diagnosis again.")
-            self._say(said.format(channel=self._remedy[1]), Level.WARNING)
+            self._show_message(said.format(channel=self._remedy[1]), Level.WARNING)
             return
-        self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
+        self._show_message(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
     # How it looks -----------------------------------------------------------------------------
 
-    def _say(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
+    def _show_message(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
         self._line.show_message(text, level)
         self.cancel_button.setVisible(busy)
         self.setVisible(bool(text))
@@ -292,7 +292,7 @@ class AdapterLine(Translated, QWidget):
         """Cancel and clear the line, because the window closes."""
         self.cancel()
         self._forbidden = False
-        self._say("")
+        self._show_message("")
 
 
 class KeepDialog(ArmDialog):

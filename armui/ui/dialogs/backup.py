@@ -421,7 +421,9 @@ class BackupDialog(ArmDialog):
     def _on_read(self) -> None:
         if self._reader.running:
             self._reader.stop()
-            self._say(self.tr("Reading was stopped; what was read is shown."), Level.WARNING)
+            self._show_message(
+                self.tr("Reading was stopped; what was read is shown."), Level.WARNING
+            )
         else:
             self._start_reading()
 
@@ -431,7 +433,7 @@ class BackupDialog(ArmDialog):
         self._could_read = bool(self._known())
         # a refusal is not kept: the message shows the reason for as long as it holds
         self._reader.start()
-        self._say("")
+        self._show_message("")
 
     def _on_save(self) -> None:
         backup = self._now()
@@ -459,7 +461,7 @@ class BackupDialog(ArmDialog):
             return
         self._path = path
         missing = len(self._known()) - len(backup.values)
-        self._say(*saved_text(path, len(backup.values), missing))
+        self._show_message(*saved_text(path, len(backup.values), missing))
 
     def _on_open(self) -> None:
         choose_file(
@@ -496,7 +498,7 @@ class BackupDialog(ArmDialog):
         generation = self._controller.operating_state.generation
         firmware = self._controller.state.firmware
         model = self._controller.operating_state.model
-        self._say(difference_text(backup, generation, firmware, model), Level.WARNING)
+        self._show_message(difference_text(backup, generation, firmware, model), Level.WARNING)
 
     def _on_restore(self) -> None:
         chosen = self._model.chosen
@@ -521,7 +523,7 @@ class BackupDialog(ArmDialog):
 
     def _on_withdrawn(self, reason: Refusal) -> None:
         question = {"question": self.tr("Restore parameters"), "reason": words.refusal(reason)}
-        self._say(said(QUESTION_WITHDRAWN, question), Level.WARNING)
+        self._show_message(said(QUESTION_WITHDRAWN, question), Level.WARNING)
 
     def _beyond(self, chosen: dict[Parameter, float]) -> list[str]:
         """Return a line for each value that goes beyond the factory's values of this model."""
@@ -564,7 +566,7 @@ class BackupDialog(ArmDialog):
         cells = [self._settings.cell(parameter) for parameter in self._restoring]
         self._restoring = {}
         failed = [cell.refusal for cell in cells if cell.state is not CellState.SAVED]
-        self._say(*restored_text(len(cells), failed))
+        self._show_message(*restored_text(len(cells), failed))
 
     def _on_state(self, _state: ArmState) -> None:
         """Show what is heard while nothing is read from here: another panel's or host's answer."""
@@ -647,8 +649,8 @@ class BackupDialog(ArmDialog):
             enable_or_explain(button, reason)
 
     def _refuse(self, refusal: Refusal) -> None:
-        self._say(words.refusal(refusal), Level.WARNING)
+        self._show_message(words.refusal(refusal), Level.WARNING)
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
+    def _show_message(self, text: str, level: Level = Level.INFO) -> None:
         self._said = (text, level)
         self._show_all()

@@ -472,7 +472,7 @@ class TargetDrag(QObject):
         if event.notice == REFUSED:
             self.look()  # the press may have come right after the last digit
             if event.params.get("reason") == self._told:
-                self._say(None)
+                self._show_refusal(None)
 
     def set_kind(self, kind: HandleKind | None) -> None:
         """Show handles of another kind, or none with None."""
@@ -480,7 +480,7 @@ class TargetDrag(QObject):
             self._view.give_up_drag()
         self.kind = kind
         self._of_zone = kind is not None and self._zone() is not None
-        self._say(None)
+        self._show_refusal(None)
         self.look()
 
     def look(self) -> None:
@@ -614,12 +614,12 @@ class TargetDrag(QObject):
             return
         self._told = told
         if isinstance(told, Refusal):
-            self._say(told)
+            self._show_refusal(told)
         elif told is not None:
             self._refused = True
             self._note.say(told, stays=True)
         else:
-            self._say(None)
+            self._show_refusal(None)
 
     # a drag -----------------------------------------------------------------------------------
 
@@ -676,9 +676,9 @@ class TargetDrag(QObject):
             return
         answer = dragged_to(base, dragged, self._last_deg, coarse=coarse, fine=fine)
         if isinstance(answer, Refusal):
-            self._say(answer)  # the ghost stays where it could be
+            self._show_refusal(answer)  # the ghost stays where it could be
             return
-        self._say(None)
+        self._show_refusal(None)
         self._last_deg = answer
         held.carry(answer)
         self._preview.show_target(answer)
@@ -696,7 +696,7 @@ class TargetDrag(QObject):
         self._held = self._base = None
         if held is None or base is None:
             return
-        self._say(None)
+        self._show_refusal(None)
         # a drag ends in one of three ways: with another arm or target, without effect, or kept
         refusal: Refusal | None = None
         if not self._is_as_begun(held):
@@ -710,9 +710,9 @@ class TargetDrag(QObject):
             refusal = held.drop(self._last_deg)
         self.look()
         if refusal is not None:
-            self._say(refusal)
+            self._show_refusal(refusal)
 
-    def _say(self, reason: Refusal | None) -> None:
+    def _show_refusal(self, reason: Refusal | None) -> None:
         if reason is not None:
             self._refused = True
             self._note.say(partial(words.refusal, reason), Level.WARNING, stays=True)

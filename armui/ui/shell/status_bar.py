@@ -89,7 +89,7 @@ class FailureLine(HasActs, Translated, QWidget):
         """
         again = self._failure is not None and self._failure.error == failure.error
         self._failure, self._motion_ended = failure, motion_ended
-        self._say()
+        self._show_text()
         if motion_ended or not again:
             self.show()
 
@@ -102,7 +102,7 @@ class FailureLine(HasActs, Translated, QWidget):
         if self._failure is not None:
             QGuiApplication.clipboard().setText(self._failure.text)
 
-    def _say(self) -> None:
+    def _show_text(self) -> None:
         if self._failure is None:
             return
         if self._motion_ended:
@@ -124,7 +124,7 @@ class FailureLine(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Update the texts in the operator's language."""
         self.show_acts()
-        self._say()
+        self._show_text()
 
 
 class ModelMark(Translated, QToolButton):

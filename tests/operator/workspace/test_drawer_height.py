@@ -137,7 +137,7 @@ def test_a_message_leaves_the_list_of_the_library_where_it_was_scrolled_to(app_d
     bar = library.table.verticalScrollBar()
     bar.setValue(bar.maximum())
     before = bar.value()
-    library.window._say("Something is told.")
+    library.window._show_message("Something is told.")
     app_driver.run(0.2)
     assert bar.value() >= before > 0
 

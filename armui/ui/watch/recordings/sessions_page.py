@@ -389,7 +389,7 @@ class SessionsPage(Page):
     def _show_listing(self, entries: list[RecordingEntry] | Refusal) -> None:
         self._listing = None
         if isinstance(entries, Refusal):
-            self._say(partial(words.refusal, entries), Level.WARNING)
+            self._show_message(partial(words.refusal, entries), Level.WARNING)
             entries = []
         names = [entry.name for entry in self.chosen()]
         if self._choose_next is not None:
@@ -410,9 +410,9 @@ class SessionsPage(Page):
             isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
-            self._say(partial(words.event, event), event.level)
+            self._show_message(partial(words.event, event), event.level)
 
-    def _say(self, text: Words, level: Level) -> None:
+    def _show_message(self, text: Words, level: Level) -> None:
         self._message.show_message(text, level)
 
     def chosen(self) -> list[RecordingEntry]:
@@ -485,7 +485,7 @@ class SessionsPage(Page):
             self._refuse(result)
         else:
             self._choose_next = result
-            self._say("", Level.INFO)
+            self._show_message("", Level.INFO)
         self.refresh()
 
     @delete_button.pressed
@@ -510,7 +510,7 @@ class SessionsPage(Page):
             self._refuse(result)
         else:
             text = self.tr("Moved to {folder}. It can be moved back from there.")
-            self._say(text.format(folder=result), Level.DONE)
+            self._show_message(text.format(folder=result), Level.DONE)
         self.refresh()
 
     @other_button.pressed
@@ -522,10 +522,10 @@ class SessionsPage(Page):
         folder = self._sessions.choices.folder
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
             text = self.tr("This computer opens no file manager. The folder is {folder}.")
-            self._say(text.format(folder=folder), Level.WARNING)
+            self._show_message(text.format(folder=folder), Level.WARNING)
 
     def _refuse(self, refusal: Refusal) -> None:
-        self._say(partial(words.refusal, refusal), Level.WARNING)
+        self._show_message(partial(words.refusal, refusal), Level.WARNING)
 
 
 def _table(shown: QSortFilterProxyModel) -> QTableView:

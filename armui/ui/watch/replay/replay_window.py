@@ -275,7 +275,7 @@ class ReplayWindow(ArmDialog):
     def _on_refused(self, reason: Refusal) -> None:
         self._opening = None
         self._show_waiting()
-        self._say(partial(words.refusal, reason), Level.FAULT)
+        self._show_message(partial(words.refusal, reason), Level.FAULT)
 
     def _on_opened(self, session: Session, surveys: tuple[ChannelSurvey, ...]) -> None:
         self._opening = None
@@ -331,7 +331,7 @@ class ReplayWindow(ArmDialog):
         def show(found: LoggedEvents | Refusal) -> None:
             self._events = None
             if isinstance(found, Refusal):
-                self._say(partial(words.refusal, found), Level.FAULT)
+                self._show_message(partial(words.refusal, found), Level.FAULT)
             else:
                 view.show_events(found.log, found.marks)
                 self._keep_counts(view.replay.session, found)
@@ -355,7 +355,7 @@ class ReplayWindow(ArmDialog):
     def _on_failed(self, text: str) -> None:
         name = "" if self._path is None else self._path.name
         reason = REPLAY_FAILED(name=name, text=text)
-        self._say(partial(words.refusal, reason), Level.FAULT)
+        self._show_message(partial(words.refusal, reason), Level.FAULT)
 
     def _oddities(self, session: Session) -> str:
         """Return what of the log could not be read, or was put right."""
@@ -391,11 +391,11 @@ class ReplayWindow(ArmDialog):
 
     def _tell_oddities(self, session: Session) -> None:
         if self._oddities(session):
-            self._say(partial(self._oddities, session), Level.WARNING)
+            self._show_message(partial(self._oddities, session), Level.WARNING)
             lines = [told(each.told()) for each in session.damages[:_MOST_TOLD]]
             self.message.setToolTip("\n".join(lines))
 
-    def _say(self, text: Words, level: Level) -> None:
+    def _show_message(self, text: Words, level: Level) -> None:
         self.message.show_message(text, level)
         self.message.setToolTip("")
         self.message.show()
