@@ -119,7 +119,7 @@ class Trajectories:
         elif (params["name"] is None) == (params["points"] is None):
             then(CallError(Code.PARAMS, "Wanted: “name” or “points”."))
         else:
-            told = partial(_told, plans=method == "trajectory.plan")
+            told = partial(_check_report, plans=method == "trajectory.plan")
             self._check(client, then, partial(_loaded, **params), told)
 
     def _check(
@@ -193,7 +193,7 @@ class Trajectories:
             speed_percent=lambda: begin_percent(
                 self._controller.operating_state.speed_percent, seen=seen
             ),
-            told=note,
+            on_state=note,
             clock=self._clock,
         )
 
@@ -269,7 +269,7 @@ def _given(points: Any) -> Content:
         raise CallError(Code.PARAMS, f"“points”, row {error.line}: {why}") from None
 
 
-def _told(checked: Preflight, *, plans: bool) -> Json:
+def _check_report(checked: Preflight, *, plans: bool) -> Json:
     """Return what a check has found, and the planned path."""
     path, errors = checked.path, checked.errors
     told: Json = {

@@ -186,7 +186,7 @@ class LiveStream(QObject):
     """
 
     changed = Signal(object)
-    _told = Signal(object, object)
+    _state_changed = Signal(object, object)
 
     def __init__(
         self, controller: ArmController, clock: Callable[[], float], parent: QObject | None = None
@@ -198,7 +198,7 @@ class LiveStream(QObject):
         self._sender: LiveSender | None = None
         self._frames = LiveFrames()
         self.view = LiveView()
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._state_changed.connect(self._on_state_changed, Qt.ConnectionType.QueuedConnection)
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.noticed.connect(self._on_noticed)
 
@@ -221,7 +221,9 @@ class LiveStream(QObject):
             host = "0.0.0.0" if for_others else "127.0.0.1"  # noqa: S104 - the operator's choice
             shift_s = time.time() - self._clock()
             arm = _arm_of(self._controller.operating_state)
-            self._sender = LiveSender((host, port), self._frames, arm, shift_s, self._told.emit)
+            self._sender = LiveSender(
+                (host, port), self._frames, arm, shift_s, self._state_changed.emit
+            )
             self._sender.start()
         self._show(LiveState())
 
@@ -236,7 +238,7 @@ class LiveStream(QObject):
         sender.join(within_s)
         return not sender.is_alive()
 
-    def _on_told(self, sender: LiveSender, state: LiveState) -> None:
+    def _on_state_changed(self, sender: LiveSender, state: LiveState) -> None:
         if sender is not self._sender:
             return  # it was switched off meanwhile
         self._show(state)

@@ -72,7 +72,7 @@ class PictureClient(QObject):
     load_failed = Signal(object)
     lost = Signal(object)
     aged = Signal()
-    _told = Signal(object)
+    _received = Signal(object)
 
     def __init__(self, entry: str = ENTRY, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -86,8 +86,8 @@ class PictureClient(QObject):
         self._is_rough = True
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._look_at_clock)
-        # queued: `_tell` emits in the link's thread, and everything here runs in the GUI thread
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        # queued: `_receive` emits in the link's thread, and everything here runs in the GUI thread
+        self._received.connect(self._on_received, Qt.ConnectionType.QueuedConnection)
 
     @property
     def is_running(self) -> bool:
@@ -117,7 +117,7 @@ class PictureClient(QObject):
     def start(self) -> None:
         """Start drawing, also after the process was given up."""
         self.stop()
-        self._link = ProcessLink(self._tell, self._entry)
+        self._link = ProcessLink(self._receive, self._entry)
         self._show_latest()
         self._link.start()
 
@@ -148,33 +148,33 @@ class PictureClient(QObject):
             self._link.stop()
             self._link = None
 
-    def _tell(self, news: object) -> None:
-        """Bring news into the GUI thread; called in the link's."""
+    def _receive(self, message: object) -> None:
+        """Bring a message into the GUI thread; called in the link's."""
         # the link's thread may still tell something after the Qt object was deleted
         with contextlib.suppress(RuntimeError):
-            self._told.emit((self._link, news))
+            self._received.emit((self._link, message))
 
-    def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
+    def _on_received(self, received: tuple[ProcessLink | None, object]) -> None:
 
-        link, news = told
+        link, message = received
         if link is not self._link or link is None:
             return  # it comes from a process that was given up meanwhile
-        if isinstance(news, PictureFrame):
-            self._note_drawn(news.drawn)
-            self.frame_ready.emit(Picture(news))
-        elif isinstance(news, messages.Drawn):
-            self._note_drawn(news)
-        elif isinstance(news, messages.JointPicked):
-            self.joint_picked.emit(news.number)
-        elif isinstance(news, messages.MarkPicked):
-            self.mark_picked.emit(news.row)
-        elif isinstance(news, messages.RobotShown):
-            self.shape = news.shape
-            self.robot_shown.emit(news.shape)
-        elif isinstance(news, messages.LoadFailed):
-            self.load_failed.emit(news.refusal)
-        elif isinstance(news, Lost):
-            self.lost.emit(news)
+        if isinstance(message, PictureFrame):
+            self._note_drawn(message.drawn)
+            self.frame_ready.emit(Picture(message))
+        elif isinstance(message, messages.Drawn):
+            self._note_drawn(message)
+        elif isinstance(message, messages.JointPicked):
+            self.joint_picked.emit(message.number)
+        elif isinstance(message, messages.MarkPicked):
+            self.mark_picked.emit(message.row)
+        elif isinstance(message, messages.RobotShown):
+            self.shape = message.shape
+            self.robot_shown.emit(message.shape)
+        elif isinstance(message, messages.LoadFailed):
+            self.load_failed.emit(message.refusal)
+        elif isinstance(message, Lost):
+            self.lost.emit(message)
 
     def _note_drawn(self, drawn: messages.Drawn) -> None:
         self._is_rough = drawn.is_rough

@@ -350,7 +350,7 @@ def test_what_tells_of_the_program(live_driver, monkeypatch, tmp_path, name):
         dialog = app_driver.dialog(ProblemReportDialog if name == "report" else AboutDialog)
         if isinstance(dialog, ProblemReportDialog):
             dialog._under_way.end()  # what it says is no matter, and takes a busy computer long
-            dialog._told.emit(dialog._number, [])
+            dialog._answered.emit(dialog._number, [])
         app_driver.wait(lambda: dialog.list.count() > 3)
         if isinstance(dialog, ProblemReportDialog):
             app_driver.wait(lambda: app_driver.controller.sessions.ring().frames > 0)

@@ -83,7 +83,7 @@ def export(controller, view, qtbot):
     qtbot.addWidget(window)
     export = PictureExport(controller, view, Background(AtOnce()), window)
     said = []
-    export.said.connect(lambda text, level: said.append((text, level)))
+    export.message_changed.connect(lambda text, level: said.append((text, level)))
     return SimpleNamespace(export=export, said=said)
 
 

@@ -111,22 +111,22 @@ class DroppedFrames(ControllerPart):
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._told = 0
-        self._told_s: float | None = None
+        self._reported = 0
+        self._reported_s: float | None = None
 
     def follow_arm(self) -> None:
         """Compare the count; called regularly while a device is open."""
         dropped = self._context.connection.frames_dropped
-        if dropped <= self._told:
+        if dropped <= self._reported:
             return
         now_s = self._context.clock()
-        if self._told_s is None or now_s - self._told_s >= _EVERY_S:
-            self._context.emit_event(FRAMES_DROPPED, count=dropped - self._told, total=dropped)
-            self._told, self._told_s = dropped, now_s
+        if self._reported_s is None or now_s - self._reported_s >= _EVERY_S:
+            self._context.emit_event(FRAMES_DROPPED, count=dropped - self._reported, total=dropped)
+            self._reported, self._reported_s = dropped, now_s
 
     def forget_arm(self) -> None:
         """Count from 0 again, as the next device does."""
-        self._told, self._told_s = 0, None
+        self._reported, self._reported_s = 0, None
 
 
 class LateFeedback(ControllerPart):
@@ -141,7 +141,7 @@ class LateFeedback(ControllerPart):
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._seen_s = self._told_s = -math.inf
+        self._seen_s = self._reported_s = -math.inf
         self._longest_s = 0.0
 
     def follow_arm(self) -> None:
@@ -151,9 +151,9 @@ class LateFeedback(ControllerPart):
         if gap is not None and gap.at_s > self._seen_s:
             self._seen_s, self._longest_s = gap.at_s, max(self._longest_s, gap.value)
         live = device is not None and device.recorded is None
-        if live and self._longest_s > PAUSE_S and now_s - self._told_s >= _EVERY_S:
+        if live and self._longest_s > PAUSE_S and now_s - self._reported_s >= _EVERY_S:
             context.emit_event(FEEDBACK_LATE, value=round(1e3 * self._longest_s))
-            self._told_s, self._longest_s = now_s, 0.0
+            self._reported_s, self._longest_s = now_s, 0.0
 
     def forget_arm(self) -> None:
         """Forget what was not told yet: it was of another connection."""

@@ -254,7 +254,7 @@ class SessionRecorder(QObject):
             return self._context.refuse(SESSION_RING_EMPTY(), sends=False)
         self.look()
         self._facts.reset()
-        lines = self._facts.news()
+        lines = self._facts.new_lines()
         name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
         plan = self._plan(name, "ring" if reason == "operator" else reason)
         oldest_s = self._context.clock() - KEPT_S
@@ -331,7 +331,7 @@ class SessionRecorder(QObject):
 
     def _note_facts(self) -> None:
         if self._recording is not None:
-            for line in self._facts.news():
+            for line in self._facts.new_lines():
                 self._recording.note(line)
 
     def _follow_recording(self) -> None:

@@ -97,13 +97,13 @@ class SidecarLines:
     def __init__(self, context: Context, cell: Callable[[], CellInForce] = CellInForce) -> None:
         self._context = context
         self._cell = cell
-        self._told: dict[str, Line] = {}
+        self._written: dict[str, Line] = {}
 
     def reset(self) -> None:
         """Take everything for new, because another recording begins."""
-        self._told = {}
+        self._written = {}
 
-    def news(self) -> list[Line]:
+    def new_lines(self) -> list[Line]:
         """Return the lines for everything known now and not yet written."""
         connection = self._context.connection
         state = self._context.state()
@@ -124,13 +124,13 @@ class SidecarLines:
                 }
             )
         cell = self._cell()
-        if cell != CellInForce() or "cell" in self._told:
+        if cell != CellInForce() or "cell" in self._written:
             lines.append({"kind": "cell", **to_entry(cell)})
         values = settings_read(state)
         if values:
             lines.append({"kind": "settings", "values": values})
-        new = [line for line in lines if self._told.get(str(line["kind"])) != line]
-        self._told.update({str(line["kind"]): line for line in new})
+        new = [line for line in lines if self._written.get(str(line["kind"])) != line]
+        self._written.update({str(line["kind"]): line for line in new})
         return new
 
 

@@ -112,8 +112,8 @@ def about_rows(
     values = {
         "model": _model(now),
         "firmware": _untold(now) if state.firmware is None else state.firmware,
-        "date": _told(state, now, "iso_date"),
-        "hardware": _told(state, now, "hardware"),
+        "date": _identity_text(state, now, "iso_date"),
+        "hardware": _identity_text(state, now, "hardware"),
         "node": _node(state, now),
         "generation": _generation(now),
         "device": _device(now.device),
@@ -161,7 +161,7 @@ def _model(now: OperatingState) -> str:
     return text.format(model=name)
 
 
-def _told(state: ArmState, now: OperatingState, field: str) -> str:
+def _identity_text(state: ArmState, now: OperatingState, field: str) -> str:
     """Return a field of the arm's identity, or in words why it is not known."""
     found = "" if state.identity is None else str(getattr(state.identity, field))
     return found or _untold(now)
@@ -334,9 +334,9 @@ class AboutArmDialog(ArmDialog):
         area.setWidget(self._grid_widget)
         area.viewport().setAutoFillBackground(False)
         self._grid_widget.setAutoFillBackground(False)
-        self._said = text_label("about_arm_said", rank="muted")
+        self._copied_label = text_label("about_arm_said", rank="muted")
         self.body.addWidget(area, 1)
-        fill(self.footer, self.copy_button, self.inspect_button, (self._said, 1))
+        fill(self.footer, self.copy_button, self.inspect_button, (self._copied_label, 1))
         fill(self.footer, CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
@@ -350,7 +350,7 @@ class AboutArmDialog(ArmDialog):
         super().showEvent(event)
         if not event.spontaneous():
             self._before = self._rate = None
-            self._said.clear()
+            self._copied_label.clear()
             self._look_at_links()
             self._refresh()
 
@@ -361,7 +361,7 @@ class AboutArmDialog(ArmDialog):
     @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text())
-        self._said.setText(self.tr("Copied: paste it into a mail."))
+        self._copied_label.setText(self.tr("Copied: paste it into a mail."))
 
     @inspect_button.pressed
     def _on_inspect(self) -> None:

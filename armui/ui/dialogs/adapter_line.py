@@ -86,7 +86,7 @@ class AdapterLine(Translated, QWidget):
     """
 
     changed = Signal()
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
     _heard = Signal(object, object)
 
     def __init__(
@@ -115,7 +115,7 @@ class AdapterLine(Translated, QWidget):
         in_row((self._line, 1), self.cancel_button, on=self, spacing=8, margins=0)
         self.cancel_button.clicked.connect(self.cancel)
         # queued: an answer comes in another thread
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self._heard.connect(self._on_heard, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
         self.hide()
@@ -159,7 +159,9 @@ class AdapterLine(Translated, QWidget):
         number = self._number
         self._remedy, self._shown = remedy, shown
         self._show_message(self.tr("The system asks for the administrator's password…"), busy=True)
-        self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
+        self._change = self._begin(
+            remedy, lambda answer: self._answered.emit(number, answer), BY_ROOT
+        )
 
     def cancel(self) -> None:
         """Cancel; a change that has begun is completed."""
@@ -173,7 +175,7 @@ class AdapterLine(Translated, QWidget):
 
     # What comes back --------------------------------------------------------------------------
 
-    def _on_told(self, number: int, answer: Answer) -> None:
+    def _on_answered(self, number: int, answer: Answer) -> None:
         if number != self._number or self._change is None:
             return
         if isinstance(answer, Planned):
@@ -306,7 +308,7 @@ class KeepDialog(ArmDialog):
         begin: Starts a change; here only for its plan, without root's rights.
     """
 
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
 
     agree_button = Act("Write these files", named="adapter_agree", primary=True)
 
@@ -333,7 +335,7 @@ class KeepDialog(ArmDialog):
         self.files = named("adapter_files", QPlainTextEdit(readOnly=True))
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._build()
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self._timer = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._timer.timeout.connect(self._plan)
         self.name_edit.textChanged.connect(self._on_typed)
@@ -382,7 +384,7 @@ class KeepDialog(ArmDialog):
         self._forget_plan()
         number = self._number
         self._change = self._begin(
-            self._words(), lambda answer: self._told.emit(number, answer), BY_ANYBODY
+            self._words(), lambda answer: self._answered.emit(number, answer), BY_ANYBODY
         )
 
     def _forget_plan(self) -> None:
@@ -392,7 +394,7 @@ class KeepDialog(ArmDialog):
             self._change.end()
             self._change = None
 
-    def _on_told(self, number: int, answer: Answer) -> None:
+    def _on_answered(self, number: int, answer: Answer) -> None:
         if number != self._number:
             return
         if self._change is not None:

@@ -142,10 +142,10 @@ class AdapterTrouble(Translated, QWidget):
         adapter: Sets an adapter up by a click; without it commands are shown for copying.
 
     Signals:
-        told: The text has changed, so that it needs other room.
+        resized: The text has changed, so that it needs other room.
     """
 
-    told = Signal()
+    resized = Signal()
 
     def __init__(
         self,
@@ -182,7 +182,7 @@ class AdapterTrouble(Translated, QWidget):
         for row in self._rows:
             self._column.addWidget(row)
         self.setVisible(bool(self._rows))
-        self.told.emit()
+        self.resized.emit()
 
 
 class ConnectDialog(ArmDialog):
@@ -237,7 +237,7 @@ class ConnectDialog(ArmDialog):
         self._manual.entered.connect(self._on_entered)
         self.model_choice.chosen.connect(self._refresh)
         if self._trouble is not None:
-            self._trouble.told.connect(self._make_room)
+            self._trouble.resized.connect(self._make_room)
             self._adapter.changed.connect(controller.search_devices)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)

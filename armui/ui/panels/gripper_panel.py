@@ -25,7 +25,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, choice_group, describe, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
@@ -135,7 +135,7 @@ class GripperRow(QWidget):
             f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True)
         )
         self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
-        tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
+        set_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
         grid = empty_grid(self, gaps=(6, 4), margins=0)

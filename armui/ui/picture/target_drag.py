@@ -455,7 +455,7 @@ class TargetDrag(QObject):
         self._last_deg: tuple[float, ...] = ()
         self._began_with: object = None
         self._refused = False
-        self._told: Refusal | Callable[[], str] | None = None
+        self._shown_note: Refusal | Callable[[], str] | None = None
         self._refusal: tuple[FindingMark, DragTarget | None, object] | None = None
         """Where a refused motion would touch, the target then, and what was typed there."""
         self.kind: HandleKind | None = None
@@ -471,7 +471,7 @@ class TargetDrag(QObject):
         """Leave a refusal to the message beside the button that was pressed."""
         if event.notice == REFUSED:
             self.look()  # the press may have come right after the last digit
-            if event.params.get("reason") == self._told:
+            if event.params.get("reason") == self._shown_note:
                 self._show_refusal(None)
 
     def set_kind(self, kind: HandleKind | None) -> None:
@@ -539,12 +539,14 @@ class TargetDrag(QObject):
         if self._refusal is not None:
             finding = self._refusal[0]
             self._preview.show_target(finding.joints_deg, finding)
-            self._tell(self._touching_text)
+            self._show_note(self._touching_text)
             return
         inside_deg = self._inside_deg() if angles_deg is None else None
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else inside_deg
         self._preview.show_target(ghost_deg)
-        self._tell(self._note_on(target, typed, ghost_deg, leads_inside=inside_deg is not None))
+        self._show_note(
+            self._note_on(target, typed, ghost_deg, leads_inside=inside_deg is not None)
+        )
 
     def _note_on(
         self,
@@ -608,11 +610,11 @@ class TargetDrag(QObject):
         measured_deg = self._controller.state.angles_deg()
         return angles_deg is not None and _differ(tuple(angles_deg), measured_deg)
 
-    def _tell(self, told: Refusal | Callable[[], str] | None) -> None:
+    def _show_note(self, told: Refusal | Callable[[], str] | None) -> None:
         """Say what is seen, or why nothing is, until something else is to be said."""
-        if told == self._told:
+        if told == self._shown_note:
             return
-        self._told = told
+        self._shown_note = told
         if isinstance(told, Refusal):
             self._show_refusal(told)
         elif told is not None:
@@ -635,7 +637,7 @@ class TargetDrag(QObject):
         if target is None or angles_deg is None or kind is None:
             return
         target.begin()
-        self._told = None
+        self._shown_note = None
         self._held = target
         self._began_with = self._basis(target)
         self._base = self._drag_base(target, angles_deg, kind)

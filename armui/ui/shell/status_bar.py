@@ -27,7 +27,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import MARK_ICON_PX, named, show_as_mark
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
@@ -230,7 +230,7 @@ class StatusBar(Translated, QWidget):
         self._layout = in_row(*notice, *moves, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
-            tell_quantities(label, *_QUANTITIES[name])
+            set_quantities(label, *_QUANTITIES[name])
             if name != "control":
                 self._separators[name] = text_label(text="│", rank="muted")
                 self._layout.addWidget(self._separators[name])

@@ -30,7 +30,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import describe, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.percent_input import PercentInput
@@ -109,7 +109,7 @@ class SpeedControl(Translated, QWidget):
         self._means.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._arm_label = text_label(rank="muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
-        tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
+        set_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         wanted = (self._label, (self._slider, 1), self.field, self._means)
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         controller.state_changed.connect(self._on_state_changed)

@@ -74,7 +74,7 @@ class PlotsArea(QWidget):
         self.board.refused.connect(self._on_refused)
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save.wanted.connect(self._on_save)
-        self.export.said.connect(self.say)
+        self.export.message_changed.connect(self.say)
         # beside the plots the same key is for what is edited there
         listen_for("plots.undo", self, self.bar.undo.click)
 

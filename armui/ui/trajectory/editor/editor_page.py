@@ -175,7 +175,7 @@ class EditorPage(Page):
         work.setParent(self)
         self._library = work.library
         self._saving = False
-        self._tells_saved = False
+        self._shows_saved = False
         self._folder = ""
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self._limits, self)
@@ -194,7 +194,7 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane(controller)
-        self._plays = self._tells_run = self._tells_refusal = False
+        self._plays = self._shows_run = self._shows_refusal = False
         self._ran: tuple[Progress | None, bool] = None, False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
@@ -389,10 +389,10 @@ class EditorPage(Page):
 
     def _on_send_refused(self, reason: Refusal) -> None:
         self._on_refused(reason)
-        self._tells_refusal = True
+        self._shows_refusal = True
 
     def _on_obstacle_gone(self) -> None:
-        if self._tells_refusal:
+        if self._shows_refusal:
             self._show_message("")
 
     def _on_refused(self, refusal: Refusal | None) -> None:
@@ -451,7 +451,7 @@ class EditorPage(Page):
             Level.WARNING,
         )
 
-    def say_aside(self) -> None:
+    def show_draft_not_applied(self) -> None:
         """Show that unsaved changes based on another version of the file were not applied."""
         text = self.tr(
             "“{name}” has been saved since these unsaved changes were kept: they are not put over "
@@ -585,8 +585,8 @@ class EditorPage(Page):
             if any(ran):
                 level = Level.INFO if progress.refusal is None else Level.FAULT
                 self._show_message(partial(self._of_run, *ran), level)
-                self._tells_run = True
-            elif self._tells_run:
+                self._shows_run = True
+            elif self._shows_run:
                 self._show_message("")  # the end of an earlier run
 
     def _of_run(self, ended: Progress | None, changed: bool) -> str:
@@ -638,7 +638,7 @@ class EditorPage(Page):
             self._show_message(text.format(name=trajectory.name), Level.WARNING)
         else:
             self._show_message(self.tr("Saved."), Level.DONE)
-            self._tells_saved = True
+            self._shows_saved = True
         self.saved.emit()
         then()
 
@@ -680,26 +680,26 @@ class EditorPage(Page):
         """Send the arm to the current point at the speed for single motions."""
         move = EDIT_UNDER_WAY() if self._long_edits.busy else self._edits.motion_here()
         if isinstance(move, Refusal):
-            self._tell(move)
+            self._on_outcome(move)
         else:
             drive(self, self._controller, move, self._on_driven, self._edits.current_point)
 
     def _on_driven(self, answer: Started | Refusal) -> None:
-        self._tell(refusal_of(answer))
+        self._on_outcome(refusal_of(answer))
 
     # Words ------------------------------------------------------------------------------------
 
     def _do(self, edit: Callable[[], Outcome]) -> None:
-        self._tell(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
+        self._on_outcome(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
 
-    def _tell(self, outcome: Outcome) -> None:
+    def _on_outcome(self, outcome: Outcome) -> None:
         if isinstance(outcome, LongEdit):
-            self._long_edits.begin(outcome, self._tell)
+            self._long_edits.begin(outcome, self._on_outcome)
             if self._long_edits.busy:
                 text = self.tr("Working on {count} rows…").format(count=outcome.rows)
                 self._show_message(text)
         elif outcome is None:
-            if not self._tells_run:
+            if not self._shows_run:
                 self._show_message("")
         elif isinstance(outcome, TrajectoryFileError):
             text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
@@ -735,12 +735,12 @@ class EditorPage(Page):
         self._show_message(text, Level.FAULT)
 
     def _show_message(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_saved = self._tells_run = self._tells_refusal = False
+        self._shows_saved = self._shows_run = self._shows_refusal = False
         self._message.show_message(text, level)
 
     def _on_saved_changed(self, saved: bool) -> None:
         self._show_title()
-        if self._tells_saved and not saved:
+        if self._shows_saved and not saved:
             self._show_message("")
 
     def show_folder(self, folder: str) -> None:

@@ -145,7 +145,7 @@ class RecentlyDeleted(HasActs, QObject):
             # it goes with the window that it was opened from, which may be one taken out
             self._dialog.destroyed.connect(self._on_gone)
             self._dialog.wanted.connect(self._actions.bring_back)
-            self._actions.said.connect(self._dialog.say)
+            self._actions.message_changed.connect(self._dialog.say)
         self._dialog.say("")
         self.refresh()
         self._dialog.open()

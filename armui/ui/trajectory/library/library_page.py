@@ -137,9 +137,9 @@ class LibraryPage(Page):
         self._findings = FindingsPane(controller)
         self._found_of = ""
         """The name of what the findings are about."""
-        self._said_of = ""
+        self._message_of = ""
         """The name of what the message says that it was not run."""
-        self._tells_end = False
+        self._shows_end = False
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
         )
@@ -202,7 +202,7 @@ class LibraryPage(Page):
         listen_for("library.undo", self, self._actions.undo_button.click)
         self._bar.search.textChanged.connect(self._on_search)
         self._folder_bar.shown_changed.connect(self._show_folder)
-        self._folder_bar.said.connect(self._show_message)
+        self._folder_bar.message_changed.connect(self._show_message)
         self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
@@ -210,14 +210,14 @@ class LibraryPage(Page):
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._actions.rename)
-        self._actions.said.connect(self._show_message)
+        self._actions.message_changed.connect(self._show_message)
         self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
         self._unsaved.kept.connect(self._on_recording_kept)
         self._unsaved.discarded.connect(self._on_recording_discarded)
         self._unsaved.refused.connect(self._on_refused)
         FileDrop(self).dropped.connect(self._exchange.import_files)
-        self._exchange.said.connect(self._show_message)
+        self._exchange.message_changed.connect(self._show_message)
         self._exchange.imported.connect(self._on_imported)
         self._exchange.checked.connect(self._mark)
         self._exchange.found.connect(self.open_trajectory)
@@ -226,7 +226,7 @@ class LibraryPage(Page):
         self.editors.editor_opened.connect(self.editor_opened)
         self.editors.recorder_opened.connect(self._on_recorder)
         self.editors.changed.connect(self.refresh)
-        self.editors.said.connect(self._show_message)
+        self.editors.message_changed.connect(self._show_message)
         self.editors.refused.connect(self._on_refused)
         self._controller.operating_state_changed.connect(self._on_operating_state)
         self._run_bar.listen(self)
@@ -341,7 +341,7 @@ class LibraryPage(Page):
         folder = self._folder_bar.shown
         self._library.new_in = folder
         self._shown.show_folder(folder)
-        self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
+        self._model.show_folders(shown=not folder or bool(self._bar.search.text()))
         self._show_usable()  # Qt does not tell that the list lost what was chosen
         self._drop_unchosen()
         self._show_hint()
@@ -410,7 +410,7 @@ class LibraryPage(Page):
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
-            if self._said_of not in ("", name):
+            if self._message_of not in ("", name):
                 self._show_message("")
 
     # How long they take -----------------------------------------------------------------------
@@ -544,16 +544,16 @@ class LibraryPage(Page):
             self._show_message(
                 text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT
             )
-            self._tells_end = True
-        elif self._tells_end:
+            self._shows_end = True
+        elif self._shows_end:
             self._show_message("")  # the end of an earlier run
 
     def _on_run_refused(self, reason: Refusal) -> None:
         self._show_message(partial(words.refusal, reason), Level.WARNING)
-        self._said_of = next(iter(self._chosen_names()), "")
+        self._message_of = next(iter(self._chosen_names()), "")
 
     def _on_obstacle_gone(self) -> None:
-        if self._said_of:
+        if self._message_of:
             self._show_message("")
 
     def _on_started(self, name: str, options: RunOptions) -> None:
@@ -600,7 +600,7 @@ class LibraryPage(Page):
     # Words ------------------------------------------------------------------------------------
 
     def _show_message(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_end, self._said_of = False, ""
+        self._shows_end, self._message_of = False, ""
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
         for part in self._below:  # a message of many lines must not put its buttons out of sight

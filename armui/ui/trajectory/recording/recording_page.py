@@ -559,7 +559,7 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             samples = self._recording.samples
-            text = self._told().format(
+            text = self._state_text().format(
                 time=fmt.duration(self._recording.duration_s),
                 count=fmt.count(len(samples)),
                 size=size_text(samples.nbytes),
@@ -574,7 +574,7 @@ class RecordingPage(Page):
         recording = self._controller.recorder.recording
         return self.tr("Stop recording") if recording else self.tr("Start recording")
 
-    def _told(self) -> str:
+    def _state_text(self) -> str:
         """What it is: a file that names no arm was not recorded here, or of an unknown arm."""
         if self._recording is not None and self._is_kept and not self._recording.taught_on:
             return self.tr("Imported file, or of an unknown arm: {time}, {count} samples, {size}")

@@ -447,7 +447,7 @@ class RunBar(Translated, QWidget):
             read=self._content,
             options=options,
             speed_percent=self._begins_at,
-            told=self._on_request,
+            on_state=self._on_request,
             runs=runs,
             why_not=why_not,
         )

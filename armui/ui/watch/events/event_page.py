@@ -86,7 +86,7 @@ class EventPage(Page):
         self.bar.follow_changed.connect(self._on_follow)
         self.bar.follow.clicked.connect(self._on_follow_pressed)
         self.bar.save.wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
-        self.export.said.connect(self._show_message)
+        self.export.message_changed.connect(self._show_message)
         self.table.clicked.connect(self._on_clicked)
         self.table.activated.connect(self._on_activated)
         self.table.customContextMenuRequested.connect(self._open_menu)
