@@ -188,7 +188,7 @@ class ArmController(ControllerParts):
         """The arm and the connection at this moment, to be kept with a question, press or check."""
         return self._connection.mark
 
-    def tell_withdrawn(self, question: str, reason: Refusal) -> None:
+    def report_withdrawn(self, question: str, reason: Refusal) -> None:
         """Tell the operator that a question, or a held button, no longer counts.
 
         Args:

@@ -430,7 +430,7 @@ class Interface(QObject):
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
             if self._holder is not None:
-                self._server.tell("lease", params, self._holder)
+                self._server.send_notification("lease", params, self._holder)
             self._holder = None
         self._refuse_consent(reason)  # told after the lease's end, by which the client reads it
         self._give_up_run(reason)
@@ -702,7 +702,7 @@ class Interface(QObject):
         told = None if consent is None else consent.told
         if told is not None and now_s - told.since_s > GRANT_WITHIN_S:
             self._refuse_consent(reasons.CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S)))
-        self._tell_outcomes()
+        self._send_outcomes()
         self._show()
 
     def _why_over(self, now: OperatingState, mark: ArmMark | None) -> Refusal | None:
@@ -724,7 +724,7 @@ class Interface(QObject):
         self._began = now.stop, fault_of(now.status)
         return None
 
-    def _tell_outcomes(self) -> None:
+    def _send_outcomes(self) -> None:
         """Tell each client how its operations go on and end."""
         server = self._server
         if server is None:
@@ -745,7 +745,7 @@ class Interface(QObject):
             }
             if result is not None:
                 params["result"] = plain_outcome(result)
-            server.tell("operation", params, each.session)
+            server.send_notification("operation", params, each.session)
             if ending is not None:
                 self._followed.remove(each)
                 if self._doing is started:
@@ -760,7 +760,7 @@ class Interface(QObject):
                 "text": english(event.notice.source, event.params),
                 "figures": figures(event.params),
             }
-            self._server.tell("event", params)
+            self._server.send_notification("event", params)
 
     def _emit_event(self, notice: Notice, **params: object) -> None:
         self._controller.noticed.emit(Event(datetime.now().astimezone(), notice, params))

@@ -92,7 +92,7 @@ class LiveSender(threading.Thread):
         frames: The frames.
         arm: What is known of the arm besides its codec.
         shift_s: From their times to those since 1970.
-        tell: Called in this thread with each :class:`LiveState`.
+        on_state: Called in this thread with each :class:`LiveState`.
 
     Attributes:
         arm: What is known of the arm besides its codec.
@@ -105,10 +105,11 @@ class LiveSender(threading.Thread):
         frames: LiveFrames,
         arm: LiveArm,
         shift_s: float,
-        tell: Callable[[LiveSender, LiveState], object],
+        on_state: Callable[[LiveSender, LiveState], object],
     ) -> None:
         super().__init__(name="armui-live", daemon=True)
-        self._address, self._frames, self._shift_s, self._tell = address, frames, shift_s, tell
+        self._address, self._frames, self._shift_s = address, frames, shift_s
+        self._on_state = on_state
         self.arm = arm
         self.events: deque[tuple[int, int, str]] = deque(maxlen=_MOST_EVENTS)
         self._lock = threading.Lock()
@@ -128,7 +129,7 @@ class LiveSender(threading.Thread):
             with suppress(OSError, EOFError):  # it has ended
                 self._serve()
             if not self._ends:
-                self._tell(self, LiveState(problem=LIVE_ENDED()))
+                self._on_state(self, LiveState(problem=LIVE_ENDED()))
         finally:
             self.end()
             if self._process is not None:
@@ -155,10 +156,10 @@ class LiveSender(threading.Thread):
             while state.problem is None:
                 if ours.poll(_WATCHED_S if state.watched else _UNWATCHED_S):
                     state = ours.recv()
-                    self._tell(self, state)
+                    self._on_state(self, state)
                 elif dropped != self._frames.dropped:
                     dropped = self._frames.dropped
-                    self._tell(self, state)
+                    self._on_state(self, state)
                 if not state.on:
                     continue
                 codec, lane = self._frames.newest

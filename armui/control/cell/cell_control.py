@@ -214,7 +214,7 @@ class CellControl(ControllerPart):
             self._name = other if self._name == name else self._name
             self._take_effect()
 
-    def tell_problem(self, reason: Refusal) -> None:
+    def report_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
         self._context.emit_event(CELL_PROBLEM, reason=reason)
 

@@ -218,7 +218,7 @@ class GripperControl(RequestingPart[str]):
         self.by_angle = False
 
     @property
-    def tells_angle(self) -> bool:
+    def reports_angle(self) -> bool:
         """True if a gripper of generation 2 is commanded by angles now."""
         return self.by_angle and self.why_no_angle() is None
 
@@ -242,7 +242,7 @@ class GripperControl(RequestingPart[str]):
     def own_figures(self) -> Figures:
         """The same without the gripper's table: as the arm itself counts."""
         generation, state = self._context.connection.generation, self._context.state()
-        return gripper_figures(generation, state, by_angle=self.tells_angle)
+        return gripper_figures(generation, state, by_angle=self.reports_angle)
 
     @property
     def is_calibrated(self) -> bool:
@@ -315,7 +315,7 @@ class GripperControl(RequestingPart[str]):
         Args:
             started: The record of the command.
             travel: Opening in mm (generation 2) or angle in degrees (generation 1, or while
-                `tells_angle`).
+                `reports_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
             uncalibrated: True if the opening is the arm's own, without the gripper's table.
 
@@ -327,7 +327,7 @@ class GripperControl(RequestingPart[str]):
         heard = self._last_feedback()
         if refusal is not None or heard is None:
             return refusal or GRIPPER_SILENT()
-        by_angle = self.tells_angle
+        by_angle = self.reports_angle
         asked = travel if uncalibrated else self._asked(travel, figures.travel.unit)
         frames = self._hold(asked, effort, by_angle=by_angle)
         passed = self._context.gate().ask_no_way()

@@ -100,8 +100,8 @@ class InstanceRegistry(QObject):
 
     def _watch(self, notice: Notice, key: str, what: object) -> PresenceWatch:
         name = hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-        tell = partial(self._counted.emit, notice, what)
-        return PresenceWatch(self._folder / f"{notice}-{name}", tell, self._look_s)
+        on_count = partial(self._counted.emit, notice, what)
+        return PresenceWatch(self._folder / f"{notice}-{name}", on_count, self._look_s)
 
     def _on_counted(self, notice: Notice, what: object, count: int | OSError) -> None:
         if isinstance(count, OSError):

@@ -215,10 +215,10 @@ class Jogging(ControllerPart):
         self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
-        self._tell_begun(started, jog)
+        self._emit_begun(started, jog)
         return None
 
-    def _tell_begun(self, started: Started, jog: Jog) -> None:
+    def _emit_begun(self, started: Started, jog: Jog) -> None:
         emit_event = self._context.emit_event
         if isinstance(jog, TargetJog):
             emit_event(STREAMING, started, device=jog.device)

@@ -327,7 +327,7 @@ class ArmSettings(QObject, ControllerPart):
             self._mark([parameter], SettingCellState(state, reason))
         self._closed()
         if not any(self.cell(each).state is CellState.SAVING for each in self._saving):
-            self._tell_saved()
+            self._emit_saved()
 
     def _after_reset(
         self, started: Started, batches: Sequence[Batch], refusal: Refusal | None
@@ -342,7 +342,7 @@ class ArmSettings(QObject, ControllerPart):
                 self._read(batch)
         self._closed()
 
-    def _tell_saved(self) -> None:
+    def _emit_saved(self) -> None:
         reasons = [
             cell.refusal for each in self._saving if (cell := self.cell(each)).refusal is not None
         ]

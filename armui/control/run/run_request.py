@@ -164,7 +164,7 @@ class RunRequest:
             self._refuse(checked)
             return
         self.checked = checked
-        if self.runs and self._goes_otherwise(checked):
+        if self.runs and self._restart_if_changed(checked):
             return
         late = self._clock() - self._pressed_s > _SURPRISING_S
         self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
@@ -182,10 +182,10 @@ class RunRequest:
         """Start the run, because the operator agrees."""
         if self.state is RequestState.ASKING and self.checked is not None:
             self._pressed_s = self._clock()
-            if not self._goes_otherwise(self.checked):
+            if not self._restart_if_changed(self.checked):
                 self._start(self.checked)
 
-    def _goes_otherwise(self, checked: Preflight) -> bool:
+    def _restart_if_changed(self, checked: Preflight) -> bool:
         """Begin anew if the choices were turned meanwhile; refuse what is not to be run at all."""
         refusal = self._why_not(checked.order.content)
         if refusal is not None:

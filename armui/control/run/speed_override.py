@@ -108,7 +108,7 @@ class SpeedOverride(ControllerPart):
         """Send a lower speed once more."""
         if self._lower_speed.take_due():
             for run in self._runs:
-                run.tell_speed()
+                run.send_speed()
 
     def halt(self) -> None:
         """Do not repeat a lower speed, because the runs end."""

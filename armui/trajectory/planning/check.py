@@ -425,7 +425,7 @@ def _findings(
         astray = None if profile is None else profile.astray_deg.astype(float) * capped
         for carried, legs in _carried_legs(content, path, request):
             findings += _broken(path, legs, carried, request, astray)
-        findings = _tell_approach(findings, path)
+        findings = _marked_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # The error of a later cycle already says why the cycles do not repeat.
         findings = [each for each in findings if each.kind != NEVER_REPEATS]
@@ -594,7 +594,7 @@ def _is_recorded(path: PlannedPath) -> bool:
     return path.expected_s == ()
 
 
-def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
+def _marked_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
     """Mark what is about the way from where the arm is to the first point of a trajectory."""
     first = int(path.rows[0]) if len(path.rows) else 0
     return [

@@ -25,7 +25,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.doctor.facts import LinkFacts
-from armui.doctor.probes.can_devices import look_at_links
+from armui.doctor.probes.can_devices import probe_links
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -351,7 +351,7 @@ class AboutArmDialog(ArmDialog):
         if not event.spontaneous():
             self._before = self._rate = None
             self._copied_label.clear()
-            self._look_at_links()
+            self._probe_links()
             self._refresh()
 
     def text(self) -> str:
@@ -369,15 +369,15 @@ class AboutArmDialog(ArmDialog):
 
     def _on_state_changed(self) -> None:
         if self.isVisible():
-            self._look_at_links()
+            self._probe_links()
             self._refresh()
 
-    def _look_at_links(self) -> None:
+    def _probe_links(self) -> None:
         device = self._controller.operating_state.device
         if self._looking or device is None or device.interface != "socketcan":
             return
         self._looking = True
-        self._background.begin_here(Job(self._on_links), look_at_links)
+        self._background.begin_here(Job(self._on_links), probe_links)
 
     def _on_links(self, links: tuple[LinkFacts, ...] | Refusal) -> None:
         self._looking = False

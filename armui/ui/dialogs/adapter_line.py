@@ -79,7 +79,7 @@ class AdapterLine(Translated, QWidget):
 
     Attributes:
         listens_elsewhere: True if whoever follows `changed` listens to an interface by that, and
-            tells `tell_heard` what was found: two programs on one adapter take each other's frames.
+            tells `show_heard` what was found: two programs on one adapter take each other's frames.
 
     Signals:
         changed: The helper has changed something: earlier findings are outdated.
@@ -252,7 +252,7 @@ class AdapterLine(Translated, QWidget):
         )
         self._show_message(said.format(channel=interface), Level.WARNING)
 
-    def tell_heard(self, findings: list[Diagnosis] | str) -> None:
+    def show_heard(self, findings: list[Diagnosis] | str) -> None:
         """Take in what another examination has found, where this one waits for it."""
         interface, self._waits_for = self._waits_for, ""
         if not interface:

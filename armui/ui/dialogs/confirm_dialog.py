@@ -218,7 +218,7 @@ class ConfirmDialog(ArmDialog):
         else:
             return True
         self.reject()
-        self._controller.tell_withdrawn(self.windowTitle(), reason)
+        self._controller.report_withdrawn(self.windowTitle(), reason)
         self.withdrawn.emit(reason)
         return False
 

@@ -228,7 +228,7 @@ class DoctorDialog(ArmDialog):
         if not isinstance(answer, str):
             begun_s, frames = self._began
             self._answer = with_connected(self._controller, answer, frames=frames, begun_s=begun_s)
-        self._adapter.tell_heard(self._answer)
+        self._adapter.show_heard(self._answer)
         self._refresh()
 
     def _findings(self) -> list[Diagnosis]:

@@ -351,7 +351,7 @@ class GripperPanel(Panel):
 
     @property
     def _kind(self) -> _Kind:
-        return self._generation, self._controller.gripper.tells_angle
+        return self._generation, self._controller.gripper.reports_angle
 
     @property
     def _travel(self) -> GripperRow:
@@ -552,7 +552,7 @@ class GripperPanel(Panel):
     def _show_possible(self) -> None:
         gripper = self._controller.gripper
         why_no_angle = words.why_not(gripper.why_no_angle())
-        self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
+        self._measure.show_choice(by_angle=gripper.reports_angle, why_not=why_no_angle)
         no_move = why_not_move_gripper(self._controller.operating_state)
         self._travel.allow_steps(words.why_not(no_move))
         self.show_acts()

@@ -282,7 +282,7 @@ class ReplayWindow(ArmDialog):
         self._session, self._surveys = session, surveys
         first = surveys[0]
         self._show(first.channel, first.generation, session.start_s + _FIRST_LOOK_S)
-        self._tell_oddities(session)
+        self._show_oddities(session)
 
     # Showing ----------------------------------------------------------------------------------
 
@@ -389,7 +389,7 @@ class ReplayWindow(ArmDialog):
             )
         return joined(*parts)
 
-    def _tell_oddities(self, session: Session) -> None:
+    def _show_oddities(self, session: Session) -> None:
         if self._oddities(session):
             self._show_message(partial(self._oddities, session), Level.WARNING)
             lines = [told(each.told()) for each in session.damages[:_MOST_TOLD]]
