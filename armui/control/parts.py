@@ -77,15 +77,15 @@ class Parts:
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.forget_arm)
 
-    def attempt(self, name: str, look: Callable[[], object], *, step: str = "") -> None:
+    def attempt(self, name: str, function: Callable[[], object], *, step: str = "") -> None:
         """Call something that is no part with the same care.
 
         Args:
             name: The name told to the operator if it fails.
-            look: The function to call.
+            function: The function to call.
             step: Distinguishes several calls under the same name.
         """
-        if self._have(name, look):
+        if self._have(name, function):
             self._out_of_order.discard(name + step)
         else:
             self._out_of_order.add(name + step)

@@ -81,11 +81,11 @@ class PictureClient(QObject):
         self._sequence = 0
         self._state: ViewState | None = None
         self._age = PictureAge()
-        self._looks_old = False
+        self._is_stale = False
         self.shape: RobotShape | None = None
         self._is_rough = True
         self._clock = QTimer(self, singleShot=True)
-        self._clock.timeout.connect(self._look_at_clock)
+        self._clock.timeout.connect(self._check_clock)
         # queued: `_receive` emits in the link's thread, and everything here runs in the GUI thread
         self._received.connect(self._on_received, Qt.ConnectionType.QueuedConnection)
 
@@ -105,9 +105,9 @@ class PictureClient(QObject):
         return self._sequence
 
     @property
-    def looks_old(self) -> bool:
+    def is_stale(self) -> bool:
         """True if the picture is older than it may be without a notice (S24)."""
-        return self._looks_old
+        return self._is_stale
 
     @property
     def is_settled(self) -> bool:
@@ -179,17 +179,17 @@ class PictureClient(QObject):
     def _note_drawn(self, drawn: messages.Drawn) -> None:
         self._is_rough = drawn.is_rough
         self._age.shown(drawn.sequence, time.monotonic())
-        self._look_at_age()
+        self._check_age()
 
-    def _look_at_clock(self) -> None:
+    def _check_clock(self) -> None:
         now_s = time.monotonic()
-        self._look_at_age()
-        if not self._age.is_newest_shown and not self._looks_old:
+        self._check_age()
+        if not self._age.is_newest_shown and not self._is_stale:
             left_s = LONGEST_S - self._age.age_s(now_s)
             self._clock.start(max(_LOOK_AGAIN_MS, math.ceil(left_s * 1000.0)))
 
-    def _look_at_age(self) -> None:
-        looks_old = self._age.looks_old(time.monotonic())
-        if looks_old is not self._looks_old:
-            self._looks_old = looks_old
+    def _check_age(self) -> None:
+        is_stale = self._age.is_stale(time.monotonic())
+        if is_stale is not self._is_stale:
+            self._is_stale = is_stale
             self.aged.emit()

@@ -65,7 +65,7 @@ def check_reference(rig: ArmRig) -> None:
     accepted(controller.motors.resume())
     rig.run(1.0)
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     for joint in range(1, 7):
         reference.answer(joint, 0.0)
     accepted(reference.finish())

@@ -194,7 +194,7 @@ def test_a_late_picture_leads_nothing(teacher, monkeypatch):
     teacher.record()
     grip = teacher.grip(GripKind.JOINT, 1)
     at = teacher.place_on(grip)
-    monkeypatch.setattr(PictureClient, "looks_old", True)
+    monkeypatch.setattr(PictureClient, "is_stale", True)
     teacher.press(at)
     teacher.move((at[0] + 20.0, at[1] + 20.0))
     teacher.release((at[0] + 20.0, at[1] + 20.0))

@@ -238,7 +238,7 @@ class FakeAreaGuard:
 
     area = None
 
-    def look(self, _state: ArmState) -> tuple[object, ...]:
+    def nearest_entries(self, _state: ArmState) -> tuple[object, ...]:
         return ()
 
     def below(self) -> str:

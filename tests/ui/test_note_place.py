@@ -68,4 +68,4 @@ def test_a_note_makes_way_for_an_arm_that_comes(qtbot, monkeypatch):
     view.resize(500, 400)
     assert region.rect().contains(note.geometry())
     note.say("")
-    assert not note._look.isActive(), "what is not seen does no work"
+    assert not note._place_timer.isActive(), "what is not seen does no work"

@@ -95,14 +95,14 @@ class AreaGuard(ControllerPart):
         cell = self._cell()
         return None if cell is None or cell.area.is_free else cell.area
 
-    def look(self, state: ArmState) -> tuple[AreaEntry, ...]:
+    def nearest_entries(self, state: ArmState) -> tuple[AreaEntry, ...]:
         """Return what of the measured arm is nearest to each plane and box, nearest first."""
         joints_deg, check = state.angles_deg(), self.check()
         if joints_deg is None or check is None:
             return ()
         measured = (joints_deg, check)
         if measured != self._measured:  # it is asked often, mostly of an arm that stands
-            self._measured, self._seen = measured, check.look(joints_deg)
+            self._measured, self._seen = measured, check.nearest_entries(joints_deg)
         return self._seen
 
     def below(self) -> str:
@@ -115,7 +115,7 @@ class AreaGuard(ControllerPart):
         check = self.check()
         if check is None:
             return ()
-        return tuple(each for each in self.look(state) if check.is_too_near(each))
+        return tuple(each for each in self.nearest_entries(state) if check.is_too_near(each))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
         """Return where the measured arm is too near to its area most, or ``None``."""

@@ -295,7 +295,7 @@ class Player(Execution):
         if self._speed_unsent:
             self.send_speed()
         now_s = self._context.clock()
-        arrival = watch.look(self._context.state(), now_s)
+        arrival = watch.check(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
         elif arrival is Arrival.REACHED and self._way_in:

@@ -312,7 +312,7 @@ class Replayer(Execution):
         self._looked_s = now_s
         if self._speed_unsent:
             self.send_speed()
-        arrival = watch.look(self._context.state(), now_s)
+        arrival = watch.check(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
         elif arrival is Arrival.REACHED and self._way_in and self._replay is not None:

@@ -324,7 +324,7 @@ class ReferenceControl(ControllerPart):
         """Keep with the arm what an inspection has measured."""
         self._keep(replace(self.record, inspections=(*self.record.inspections, entry)[-KEPT:]))
 
-    def look(self, elsewhere: Sequence[int]) -> None:
+    def note_elsewhere(self, elsewhere: Sequence[int]) -> None:
         """Note which joints stand elsewhere than the picture shows; others may be driven then."""
         if self.check is not None:
             self.check.suspect(elsewhere)

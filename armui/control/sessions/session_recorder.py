@@ -136,7 +136,7 @@ class SessionRecorder(QObject):
         self._device: object = None
         self.choices = SessionChoices(paths.sessions())
         self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.timeout.connect(self.poll)
         context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
@@ -237,7 +237,7 @@ class SessionRecorder(QObject):
         recording = self._recording
         if recording is None:
             return self._context.refuse(SESSION_NONE(), sends=False)
-        self.look()
+        self.poll()
         if self._recording is not None:
             self._end(recording, "operator")
         return None
@@ -252,7 +252,7 @@ class SessionRecorder(QObject):
             return self._context.refuse(SESSION_SAVING(), sends=False)
         if self._ring is None or self._collector is None or not self._ring.span()[0]:
             return self._context.refuse(SESSION_RING_EMPTY(), sends=False)
-        self.look()
+        self.poll()
         self._facts.reset()
         lines = self._facts.new_lines()
         name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
@@ -295,7 +295,7 @@ class SessionRecorder(QObject):
 
     # What happens -----------------------------------------------------------------------------
 
-    def look(self) -> None:
+    def poll(self) -> None:
         """Take in the events; called by its own timer, four times a second."""
         for each in self._feed.take_events():
             self._recent.append(each)

@@ -138,7 +138,7 @@ class AdapterTrouble(Translated, QWidget):
 
     Args:
         background: Runs the examination.
-        look: Returns the faults.
+        find_faults: Returns the faults.
         adapter: Sets an adapter up by a click; without it commands are shown for copying.
 
     Signals:
@@ -150,13 +150,13 @@ class AdapterTrouble(Translated, QWidget):
     def __init__(
         self,
         background: Background,
-        look: Callable[[], list[Diagnosis]] = adapter_trouble,
+        find_faults: Callable[[], list[Diagnosis]] = adapter_trouble,
         adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("adapter_trouble")
         self._background = background
-        self._look = look
+        self._find_faults = find_faults
         self._adapter = adapter
         if adapter is not None:
             adapter.changed.connect(self.examine)
@@ -167,7 +167,7 @@ class AdapterTrouble(Translated, QWidget):
 
     def examine(self) -> None:
         """Examine the adapters again."""
-        self._background.begin_here(Job(self._take), self._look)
+        self._background.begin_here(Job(self._take), self._find_faults)
 
     def _take(self, findings: list[Diagnosis] | Refusal) -> None:
         self._findings = () if isinstance(findings, Refusal) else findings[:_MOST]

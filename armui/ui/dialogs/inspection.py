@@ -127,13 +127,13 @@ class InspectionDialog(ArmDialog):
     def hideEvent(self, event: QHideEvent) -> None:
         """Look for room no more; an inspection under way goes on, as the run's line shows."""
         super().hideEvent(event)
-        self._controller.inspection.look(None)
+        self._controller.inspection.set_amplitude(None)
 
     # -- what the operator does ---------------------------------------------------------------
 
     def _on_amplitude(self) -> None:
         if self.isVisible():
-            self._controller.inspection.look(float(self.amplitude.value()))
+            self._controller.inspection.set_amplitude(float(self.amplitude.value()))
             self._show()
 
     @begin_button.why_not

@@ -192,7 +192,7 @@ class ReferenceDialog(ArmDialog):
 
     @look_button.pressed
     def _on_looked(self) -> None:
-        self._controller.reference.look(
+        self._controller.reference.note_elsewhere(
             [j for j, box in self._elsewhere.items() if box.isChecked()]
         )
         self._show()

@@ -244,7 +244,7 @@ class PictureWork(QObject):
         self._drag = TargetDrag(controller, view, preview, self.note, self._target, zone=self._zone)
         self.bar.handles_wanted.connect(self._drag.set_kind)
         self._drag.put_away.connect(lambda: self.bar.choose_handles(None))
-        preview.row_shown.connect(self._drag.look)
+        preview.row_shown.connect(self._drag.refresh)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
@@ -259,9 +259,9 @@ class PictureWork(QObject):
         """Set the function that returns the visible panel, whose target can be dragged."""
         self._panel = panel
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Move ghost and handles to the present target."""
-        self._drag.look()
+        self._drag.refresh()
 
     def _zone(self) -> ZoneTarget | None:
         """Return where a plane or box is typed, if that is seen; it can be dragged then."""

@@ -459,9 +459,9 @@ class TargetDrag(QObject):
         self._refusal: tuple[FindingMark, DragTarget | None, object] | None = None
         """Where a refused motion would touch, the target then, and what was typed there."""
         self.kind: HandleKind | None = None
-        self._look = QTimer(self, interval=_LOOK_MS)
-        self._look.timeout.connect(self.look)
-        self._look.start()
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self.refresh)
+        self._timer.start()
         view.handle_taken.connect(self._on_taken)
         view.handle_moved.connect(self._on_moved)
         view.handle_left.connect(self._on_left)
@@ -470,7 +470,7 @@ class TargetDrag(QObject):
     def _on_noticed(self, event: Event) -> None:
         """Leave a refusal to the message beside the button that was pressed."""
         if event.notice == REFUSED:
-            self.look()  # the press may have come right after the last digit
+            self.refresh()  # the press may have come right after the last digit
             if event.params.get("reason") == self._shown_note:
                 self._show_refusal(None)
 
@@ -481,9 +481,9 @@ class TargetDrag(QObject):
         self.kind = kind
         self._of_zone = kind is not None and self._zone() is not None
         self._show_refusal(None)
-        self.look()
+        self.refresh()
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Move ghost and handles to the present target; does nothing while hidden."""
         if self._held is not None:
             # during a drag the pointer places both; only another arm or another target ends it
@@ -518,7 +518,7 @@ class TargetDrag(QObject):
         before = self._refusal
         self._refusal = None if finding is None else (finding, target, typed)
         if self._refusal != before:
-            self.look()
+            self.refresh()
 
     def _show_target(self, target: DragTarget | None) -> None:
         """Show ghost and handles of a target; without one, where the way inside leads."""
@@ -692,7 +692,7 @@ class TargetDrag(QObject):
             self._zone_held = None
             if given_up:
                 zone.take_pose(begun)
-            self.look()
+            self.refresh()
             return
         held, base = self._held, self._base
         self._held = self._base = None
@@ -710,7 +710,7 @@ class TargetDrag(QObject):
             held.give_up(base.angles_deg)
         else:
             refusal = held.drop(self._last_deg)
-        self.look()
+        self.refresh()
         if refusal is not None:
             self._show_refusal(refusal)
 

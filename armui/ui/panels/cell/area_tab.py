@@ -189,7 +189,7 @@ class AreaTab(NamedTab):
 
     def show_state(self, state: ArmState) -> None:
         """Show what of the arm is how near."""
-        text, seen = "", self._controller.area_guard.look(state)
+        text, seen = "", self._controller.area_guard.nearest_entries(state)
         if seen:
             text = self.tr("Nearest: {part}, {value} mm from “{name}”").format(
                 part=ARM_PARTS.word(seen[0].part),

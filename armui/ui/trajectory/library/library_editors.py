@@ -137,7 +137,7 @@ class LibraryEditors(QObject):
             self.message_changed.emit(text, Level.WARNING)
             self._show_editor(trajectory, None)
 
-        def look() -> tuple[Trajectory | None, bool]:
+        def read() -> tuple[Trajectory | None, bool]:
             aside = self._library.set_aside_draft(trajectory)
             return self._library.draft(trajectory.name), aside
 
@@ -145,7 +145,7 @@ class LibraryEditors(QObject):
             draft, aside = found
             self._show_editor(trajectory, draft, aside=aside)
 
-        self._work.do(look, show, damaged)
+        self._work.do(read, show, damaged)
 
     def _show_editor(
         self, trajectory: Trajectory, draft: Trajectory | None, *, aside: bool = False

@@ -122,7 +122,7 @@ class LibraryPage(Page):
         )
         self._name_bar = NameBar()
         self._unsaved = UnsavedRecordingLine(self._work)
-        self._unsaved.look()
+        self._unsaved.refresh()
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -292,7 +292,7 @@ class LibraryPage(Page):
         self._folder_bar.show_listing(listing)
         self.editors.show_folders({each.name: each.folder for each in listing.entries})
         self._shared_use.show_others(others)
-        self._name_bar.look()
+        self._name_bar.refresh_suggestion()
         self._deleted.refresh()
         self._actions.show_acts()
         if choose:

@@ -336,7 +336,7 @@ class BusPage(Page):
         self._views.addWidget(self.tree)
         self._views.addWidget(self.trace)
         self.send_box = SendBox(controller, self._texts)
-        self._timer = SeenTimer(self, LOOK_MS, self.look)
+        self._timer = SeenTimer(self, LOOK_MS, self.refresh)
         self._soon = QTimer(self, interval=_SOON_MS, singleShot=True)
         self._lay_out()
         self._connect()
@@ -374,7 +374,7 @@ class BusPage(Page):
         self._snapshot = self.statistics.snapshot()
         self._show()
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Count new frames, and show them unless the figures are paused."""
         self._count()
         device = self._controller.operating_state.device

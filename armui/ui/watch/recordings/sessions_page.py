@@ -314,7 +314,7 @@ class SessionsPage(Page):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message = named("sessions_message", MessageLine(keeps_room=False, lines=1))
         self._lay_out()
-        self._timer = SeenTimer(self, _LOOK_MS, self._look)
+        self._timer = SeenTimer(self, _LOOK_MS, self._refresh_cards)
         self._sessions.changed.connect(self._on_changed)
         controller.noticed.connect(self._on_noticed)
         self._model.rename_wanted.connect(self._rename)
@@ -365,7 +365,7 @@ class SessionsPage(Page):
     def showEvent(self, event: QShowEvent) -> None:
         """Read the folder again, and follow the recording in progress."""
         super().showEvent(event)
-        self._look()
+        self._refresh_cards()
         self.refresh()
 
     def event(self, event: QEvent) -> bool:
@@ -374,7 +374,7 @@ class SessionsPage(Page):
             self.refresh()
         return super().event(event)
 
-    def _look(self) -> None:
+    def _refresh_cards(self) -> None:
         self.recording.refresh()
         self.ring.refresh()
 
@@ -401,7 +401,7 @@ class SessionsPage(Page):
 
     def _on_changed(self) -> None:
         if self.isVisible():
-            self._look()
+            self._refresh_cards()
             self.refresh()
 
     def _on_noticed(self, event: Event) -> None:
