@@ -610,7 +610,7 @@ class ArmView(QWidget):
         return self._handles.grips(self._shape, self._tool, projection, self._state.palette)
 
     def _leave_handle(self, *, given_up: bool) -> None:
-        if self._handles.let_go():
+        if self._handles.release():
             self._viewpoint.is_carried = False
             self._viewpoint.hold(held=False)
             self._take_camera()

@@ -351,7 +351,7 @@ class HandGuide(Protocol):
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Release the arm, which stays in place."""
 
     def switch(self, name: str, joint: int, *, begins: bool) -> None:
@@ -410,7 +410,7 @@ class LedArm(_InForce):
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
         """Release the arm; it is not led back."""
         if self._held is not None:
-            self._held.let_go()
+            self._held.release()
         self._held = None
 
 

@@ -299,8 +299,8 @@ class MotionPanel(JogPanel):
         if self._accepted(self._controller.jogging.start(JointJog(joint, direction))):
             self._release(joint)
 
-    def _on_let_go(self) -> None:
-        super()._on_let_go()
+    def _on_hold_ended(self) -> None:
+        super()._on_hold_ended()
         self._follow_arm()
 
     def _release(self, *joints: int) -> None:
