@@ -33,7 +33,7 @@ class Notifier:
 
     Attributes:
         sent: Sent frames with their times, put in by the threads that send.
-        heard: Received frames.
+        received: Received frames.
     """
 
     def __init__(self, listeners: Sequence[Listener] = ()) -> None:
@@ -42,7 +42,7 @@ class Notifier:
         self._active: list[Listener] = []
         self._failed: list[Listener] = []
         self._opened: tuple[Codec, int | None] | None = None
-        self.heard: list[ReceivedFrame] = []
+        self.received: list[ReceivedFrame] = []
         self.sent: deque[tuple[Frame, float]] = deque(maxlen=SENT_KEPT)
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
@@ -63,12 +63,12 @@ class Notifier:
         """Pass on the frames that were collected since the last flush, decoded by this codec."""
         if self._wanted is not self._followed:
             self._update_active()
-        heard, self.heard = self.heard, []
+        received, self.received = self.received, []
         sent = self._decoded(codec) if self.sent else ()
 
         def pass_on(listener: Listener) -> None:
-            if heard:
-                listener.on_heard(heard)
+            if received:
+                listener.on_heard(received)
             if sent:
                 listener.on_sent(sent)
             listener.on_look(now_s)

@@ -686,7 +686,7 @@ class Interface(QObject):
             return
         now_s, now = self._clock(), self._controller.operating_state
         if self._holder is not None:
-            self._lessor.heard(self._holder.client, self._holder.heard_s)
+            self._lessor.note_activity(self._holder.client, self._holder.heard_s)
         over = self._lessor.why_over(now_s)
         if self._lessor.asked is not None:
             over = over or self._why_no_lease()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.limits import JOINTS
-from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
+from armui.arm.parameters import Batch, Group, Parameter, all_batches, reading_of
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
@@ -126,7 +126,7 @@ class ArmSettings(QObject, ControllerPart):
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
         # After the arm was away a value counts as unread until the arm has said it again (S15).
-        return _UNREAD if heard(self._context.state(), parameter) is None else cell
+        return _UNREAD if reading_of(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
         """Return the batches that a backup holds, or why they are not known now."""
@@ -145,7 +145,7 @@ class ArmSettings(QObject, ControllerPart):
         """
         state = self._context.state()
         codec = self._context.connection.codec
-        return heard(state, parameter) is not None and not not_taken(
+        return reading_of(state, parameter) is not None and not not_taken(
             codec, state, {parameter: value}
         )
 
@@ -235,7 +235,7 @@ class ArmSettings(QObject, ControllerPart):
         """Forget the outcome of the last saving of parameters, which the operator has seen."""
         for parameter in parameters:
             if self.cell(parameter).state in {CellState.SAVED, CellState.REFUSED}:
-                known = heard(self._context.state(), parameter)
+                known = reading_of(self._context.state(), parameter)
                 self._cells[parameter] = (
                     _UNREAD if known is None else SettingCellState(CellState.READ)
                 )
@@ -268,7 +268,7 @@ class ArmSettings(QObject, ControllerPart):
         first = batch.parameters()[0]
 
         def heard_since(state: ArmState, since_s: float) -> bool:
-            known = heard(state, first)
+            known = reading_of(state, first)
             return known is not None and known.at_s > since_s
 
         def against(state: ArmState) -> Refusal | None:

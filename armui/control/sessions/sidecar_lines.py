@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
-from armui.arm.parameters import all_batches, heard
+from armui.arm.parameters import all_batches, reading_of
 from armui.cell.cell_in_force import CellInForce, to_entry
 from armui.control.events import Level
 from armui.control.safety.stopping import (
@@ -140,5 +140,5 @@ def settings_read(state: ArmState) -> list[dict[str, float | int | str]]:
         parameter_row(parameter, known.value)
         for batch in all_batches(teaching=True, drag_assistance=True)
         for parameter in batch.parameters()
-        if (known := heard(state, parameter)) is not None
+        if (known := reading_of(state, parameter)) is not None
     ]

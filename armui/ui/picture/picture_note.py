@@ -81,7 +81,7 @@ class PictureNote(QLabel):
         self._place_timer.stop()
         super().hideEvent(event)
 
-    def say(
+    def show_message(
         self, words: str | Callable[[], str], level: Level = Level.INFO, *, stays: bool = False
     ) -> None:
         """Show a text; an empty text hides the note.

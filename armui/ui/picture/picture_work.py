@@ -218,7 +218,7 @@ class PictureWork(QObject):
         self.bar = ViewBar(view, preferences)
         self.note = PictureNote()
         self._export = PictureExport(controller, view, background, window)
-        self._export.message_changed.connect(self.note.say)
+        self._export.message_changed.connect(self.note.show_message)
         self._reach = self.bar.view_actions["reach"]
         self._reach.toggled.connect(self._show_reach)
         self._panel: Callable[[], QWidget | None] | None = None

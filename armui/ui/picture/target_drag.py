@@ -619,7 +619,7 @@ class TargetDrag(QObject):
             self._show_refusal(told)
         elif told is not None:
             self._refused = True
-            self._note.say(told, stays=True)
+            self._note.show_message(told, stays=True)
         else:
             self._show_refusal(None)
 
@@ -717,7 +717,7 @@ class TargetDrag(QObject):
     def _show_refusal(self, reason: Refusal | None) -> None:
         if reason is not None:
             self._refused = True
-            self._note.say(partial(words.refusal, reason), Level.WARNING, stays=True)
+            self._note.show_message(partial(words.refusal, reason), Level.WARNING, stays=True)
         elif self._refused:
             self._refused = False
-            self._note.say("")
+            self._note.show_message("")

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFrame
 
 from armui.arm.device import Device
 from armui.arm.models import model_data
-from armui.arm.parameters import Parameter, factory_bound, heard
+from armui.arm.parameters import Parameter, factory_bound, reading_of
 from armui.arm.refusal import Refusal
 from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
@@ -385,7 +385,7 @@ class ParameterPanel(Panel):
     def _show_cell(self, cell: SettingCell) -> None:
         parameter, state = cell.parameter, self._controller.state
         stands = self._settings.cell(parameter)
-        known = heard(state, parameter)
+        known = reading_of(state, parameter)
         if self._draft.entry(parameter) is None:
             cell.show_value(None if known is None else known.value)
         cell.set_locked(locked=not self._draft.editing or self._saving.running)
@@ -499,7 +499,7 @@ class ParameterPanel(Panel):
         nearest = [
             f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
             for parameter, value in self._saving.asked.items()
-            if (known := heard(self._controller.state, parameter)) is not None
+            if (known := reading_of(self._controller.state, parameter)) is not None
             and shown_as(parameter, known.value) != shown_as(parameter, value)
         ]
         if not nearest:
