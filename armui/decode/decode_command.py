@@ -258,7 +258,7 @@ class _Layout:
 def _report_damages(log: LogFile, said: int) -> int:
     """Says the damaged places met since the last call."""
     for damage in log.damages.since(said):
-        _complain(log.path, damage.told())
+        _complain(log.path, damage.text())
     return len(log.damages)
 
 

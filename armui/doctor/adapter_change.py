@@ -142,10 +142,10 @@ class Done:
     """The change is done.
 
     Attributes:
-        told: The helper's result of checking it.
+        result: The helper's result of checking it.
     """
 
-    told: Mapping[str, Any]
+    result: Mapping[str, Any]
 
 
 Answer = Planned | Done | Refusal

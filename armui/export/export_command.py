@@ -195,7 +195,7 @@ def report_lines(report: ExportReport) -> list[str]:
             )
         )
     lines += [say_sentence(note.reason, note.params) for note in report.notes]
-    lines += [damage.told() for damage in report.damages]
+    lines += [damage.text() for damage in report.damages]
     if further := report.damage_count - len(report.damages):
         lines.append(Told("{count} further places cannot be read", count=further))
     return lines

@@ -105,14 +105,14 @@ class _Waiting:
     session: ClientSession
     call: Call
     bound: BoundOperation | None = None
-    told: Consented | None = None
+    consented: Consented | None = None
 
 
 @dataclass(slots=True)
 class _Followed:
     session: ClientSession
     started: Started
-    told: tuple[object, ...] = field(default=())
+    sent: tuple[object, ...] = field(default=())
 
 
 class Interface(QObject):
@@ -298,9 +298,9 @@ class Interface(QObject):
             self._refuse_consent(LEASE_DECLINED())
             return
         waiting, self._consent = self._consent, None
-        if waiting is None or waiting.told is None:
+        if waiting is None or waiting.consented is None:
             return
-        told = waiting.told
+        told = waiting.consented
         self._emit_event(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
         if self._run is not None and self._run[0] is waiting:
             self._run[1].accept()
@@ -484,7 +484,7 @@ class Interface(QObject):
     ) -> None:
         """Ask the operator to let the client do something."""
         client, now_s = waiting.session.client, self._clock()
-        waiting.told = Consented(client, operation.id, operation.title, given, now_s, findings)
+        waiting.consented = Consented(client, operation.id, operation.title, given, now_s, findings)
         self._consent = waiting
 
     def _by_client(self, act: Callable[[], Any], *, moves: bool = True) -> Any:
@@ -699,7 +699,7 @@ class Interface(QObject):
             else:
                 self._cap_speed(self._lessor.held)
         consent = self._consent
-        told = None if consent is None else consent.told
+        told = None if consent is None else consent.consented
         if told is not None and now_s - told.since_s > GRANT_WITHIN_S:
             self._refuse_consent(reasons.CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S)))
         self._send_outcomes()
@@ -732,9 +732,9 @@ class Interface(QObject):
         for each in list(self._followed):
             started = each.started
             found = (started.ending, started.answer, started.result)
-            if found == each.told:
+            if found == each.sent:
                 continue
-            each.told = found
+            each.sent = found
             result = started.result
             ending = started.ending
             params: Json = {
@@ -783,7 +783,7 @@ class Interface(QObject):
             asked=self._lessor.asked,
             lease=self._lessor.held,
             doing="" if doing is None or doing.ending is not None else doing.operation,
-            consent=None if self._consent is None else self._consent.told,
+            consent=None if self._consent is None else self._consent.consented,
         )
         if view != self._view:
             self._view = view

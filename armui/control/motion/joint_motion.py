@@ -271,7 +271,7 @@ class Motion(ControllerPart):
             lambda: self.speed_percent,
             most_percent=COME_INSIDE_PERCENT,
             why_not=why_not_move,
-            told=(COMES_INSIDE, reports.numbered(target_deg)),
+            sent_event=(COMES_INSIDE, reports.numbered(target_deg)),
         )
         return self._context.gate().send(replace(request, sent=on_sent))
 
@@ -309,7 +309,7 @@ class Motion(ControllerPart):
             angles_deg,
             lambda: self.speed_percent,
             why_not=why_not_move,
-            told=(notice, figures),
+            sent_event=(notice, figures),
         )
         return context.gate().send(replace(request, agreed_mm=agreed_mm))
 

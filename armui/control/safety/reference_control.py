@@ -261,7 +261,7 @@ class ReferenceControl(ControllerPart):
             lambda: context.operating_state().speed_percent,
             most_percent=_DRIVE_PERCENT,
             why_not=lambda now: why_not_drive(now, joint),
-            told=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
+            sent_event=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
         )
         return context.gate().send(request)
 

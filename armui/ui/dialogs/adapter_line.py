@@ -212,7 +212,7 @@ class AdapterLine(Translated, QWidget):
         elif verb == "down":
             said = self.tr("{channel} is switched off.").format(channel=subject)
             self._show_message(said, Level.DONE)
-        elif done.told.get("not_told"):
+        elif done.result.get("not_told"):
             said = self.tr("Done; it takes effect at the next start of this computer.")
             self._show_message(said, Level.DONE)
         else:

@@ -226,7 +226,7 @@ class EnableButton(Translated, QAbstractButton):
     @property
     def offer(self) -> str:
         """What a click does, as the second line; "" while the next step says it."""
-        return self.tr("Disable…") if self.turns_off and self._stands() == "enabled" else ""
+        return self.tr("Disable…") if self.turns_off and self._state_name() == "enabled" else ""
 
     def show_faults(self, joints: tuple[int, ...]) -> None:
         """Let the marks of these joints warn of a fault that the arm reports."""
@@ -247,7 +247,9 @@ class EnableButton(Translated, QAbstractButton):
         """Set the text in the operator's language."""
         motion = self._motion
         self.setText(
-            _WORDS.text(self._stands()) if motion is None else words.uncommanded_motion_word(motion)
+            _WORDS.text(self._state_name())
+            if motion is None
+            else words.uncommanded_motion_word(motion)
         )
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
         if self._faulty:
@@ -256,7 +258,7 @@ class EnableButton(Translated, QAbstractButton):
         self.updateGeometry()
         self.update()
 
-    def _stands(self) -> str:
+    def _state_name(self) -> str:
         if self._stopped:
             return "stopped"
         if self._busy is Busy.ENABLING:

@@ -43,7 +43,7 @@ from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import told
+from armui.ui.words.text import localized
 from armui.viewport import palette as scene_palette
 from armui.viewport.robot_shape import pose_rows
 from armui.viewport.strokes import FrameMark
@@ -340,7 +340,7 @@ class ReplayView(Translated, QWidget):
             text += " " + self.tr("(as the log tells)") if is_told else ""
             self.generations.setItemText(place, text)
         if own is not None:
-            tip = f"{int(own.generation)}: {told(own.reason)}"
+            tip = f"{int(own.generation)}: {localized(own.reason)}"
             self.generations.setToolTip(tip)
 
     # What is shown ----------------------------------------------------------------------------

@@ -33,7 +33,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import joined, told
+from armui.ui.words.text import joined, localized
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -392,7 +392,7 @@ class ReplayWindow(ArmDialog):
     def _show_oddities(self, session: Session) -> None:
         if self._oddities(session):
             self._show_message(partial(self._oddities, session), Level.WARNING)
-            lines = [told(each.told()) for each in session.damages[:_MOST_TOLD]]
+            lines = [localized(each.text()) for each in session.damages[:_MOST_TOLD]]
             self.message.setToolTip("\n".join(lines))
 
     def _show_message(self, text: Words, level: Level) -> None:
