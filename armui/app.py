@@ -265,7 +265,7 @@ class Program:
             *(store, folder, files or workers),
             loaded=controller.cell.take_loaded,
             not_renamed=controller.cell.give_name,
-            problem=controller.cell.tell_problem,
+            problem=controller.cell.report_problem,
         )
         controller.cell.store = self._cell_keeper
         self._cell_keeper.load()
@@ -278,10 +278,10 @@ class Program:
         if files is not None:
             store.write_by(files, self._relay.unsaved.emit)
         if isinstance(files, FileThread):
-            look = QTimer(self._relay, interval=_LOOK_AT_FILES_MS)
-            look.timeout.connect(partial(self._replace_hung, files))
-            look.timeout.connect(store.follow)
-            look.start()
+            timer = QTimer(self._relay, interval=_LOOK_AT_FILES_MS)
+            timer.timeout.connect(partial(self._replace_hung, files))
+            timer.timeout.connect(store.follow)
+            timer.start()
         self._failure_handler = FailureHandler(self._relay.failed.emit)
         for name in failures.LOGGERS:
             logging.getLogger(name).addHandler(self._failure_handler)
@@ -293,8 +293,8 @@ class Program:
             keep = partial(self._keep_events, events, files or workers)
             QTimer.singleShot(0, self._relay, keep)
         if meeting_place is not None:
-            meet = partial(self._meet, store.path, meeting_place)
-            QTimer.singleShot(0, self._relay, meet)
+            register = partial(self._register_instance, store.path, meeting_place)
+            QTimer.singleShot(0, self._relay, register)
         for problem in store.problems:
             self.window.show_problem(problem)
 
@@ -314,15 +314,15 @@ class Program:
         )
         noted.add_done_callback(_log_unnoted)
 
-    def look_at_folders(self) -> None:
+    def check_folders(self) -> None:
         """Report once to the operator which folders cannot be written; the file thread checks."""
 
-        def tell(looked: Future[tuple[ClosedFolder, ...]]) -> None:
+        def on_checked(looked: Future[tuple[ClosedFolder, ...]]) -> None:
             if not looked.cancelled() and looked.exception() is None and looked.result():
                 self._relay.closed.emit(looked.result())
 
         self._relay.closed.connect(self._on_closed)
-        (self._files or self._workers).submit(closed_folders).add_done_callback(tell)
+        (self._files or self._workers).submit(closed_folders).add_done_callback(on_checked)
 
     def _keep_events(self, folder: Path, files: Executor) -> None:
         self._event_keeper = EventKeeper(self.controller.event_collector, folder, files)
@@ -333,7 +333,7 @@ class Program:
             self.interface.switch(on=now.interface)
             self.live.switch(on=now.live, port=now.live_port, for_others=now.live_for_others)
 
-    def _meet(self, settings: Path, place: Path) -> None:
+    def _register_instance(self, settings: Path, place: Path) -> None:
         self._instances = InstanceRegistry(self.controller, settings, place)
 
     def shutdown(self) -> None:
@@ -374,16 +374,16 @@ class Program:
         self.window.show_failure(failure, motion_ended=ended)
 
     def _on_unsaved(self, reason: Refusal) -> None:
-        self._tell(SETTINGS_UNSAVED, reason=reason)
+        self._emit_event(SETTINGS_UNSAVED, reason=reason)
 
     def _on_closed(self, closed: tuple[ClosedFolder, ...]) -> None:
-        self._tell(FOLDERS_CLOSED, folders="; ".join(map(str, closed)))
+        self._emit_event(FOLDERS_CLOSED, folders="; ".join(map(str, closed)))
 
     def _replace_hung(self, files: FileThread) -> None:
         if files.replace_hung():
-            self._tell(FILES_HANG, count=files.hanging)
+            self._emit_event(FILES_HANG, count=files.hanging)
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
         self.controller.noticed.emit(Event(at, notice, params))
 
@@ -466,7 +466,7 @@ def _run(options: StartOptions) -> int:
     )
     app.aboutToQuit.connect(program.shutdown)
     program.note_version(paths.trajectories())
-    program.look_at_folders()
+    program.check_folders()
     with SystemEnd(app, program) as system_end:
         code = _run_window(app, program, options, device, system_end)
     if not program.ended:

@@ -158,7 +158,7 @@ class SystemEnd(QObject):
             closed.wait(min(_AGAIN_S, left_s))
 
     def _listen(self) -> None:
-        number = self._heard()
+        number = self._first_signal()
         if number is None:
             return
         until_s = time.monotonic() + _CLOSED_S
@@ -179,13 +179,13 @@ class SystemEnd(QObject):
         flush_log()
         self._exit_now(128 + number)
 
-    def _heard(self) -> int | None:
+    def _first_signal(self) -> int | None:
         """The number of the first signal; ``None``: there will be none."""
         try:
-            heard = self._listening.recv(1)
+            received = self._listening.recv(1)
         except OSError:
             return None
-        return heard[0] if heard else None
+        return received[0] if received else None
 
     if sys.platform == "win32":
 

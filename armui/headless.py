@@ -73,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
             controller.operating_state_changed.disconnect(serve)
             interface.switch(on=True)
 
-    def tell(view: InterfaceView) -> None:
+    def on_changed(view: InterfaceView) -> None:
         """Say that it is served, or why it is not."""
         nonlocal code
         if view.problem is not None:
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
             code = 2
             app.quit()
         elif view.on:
-            interface.changed.disconnect(tell)
+            interface.changed.disconnect(on_changed)
             raise_in_background()  # as the window's threads: a lease ends with an arm not heard
             sys.stdout.write(
                 f"Simulated arm, interface on {view.path}. The lease is {granted}. Ctrl-C ends "
@@ -91,7 +91,7 @@ def run(options: argparse.Namespace) -> int:
             sys.stdout.flush()
 
     controller.operating_state_changed.connect(serve)
-    interface.changed.connect(tell)
+    interface.changed.connect(on_changed)
     with _ended_by_signals(app):
         app.exec()
     interface.end()

@@ -108,9 +108,9 @@ class SettingsStore:
         self._unsaved: list[Revision] = []
         self._turn, self._writing = threading.Lock(), threading.Lock()
         self._maps: dict[str, KeptMap] = {}
-        self._news: dict[str, Any] | None = None
-        self._looked: tuple[int, int, int] | None = None
-        self._look: Future[None] | None = None
+        self._reloaded: dict[str, Any] | None = None
+        self._checked_stamp: tuple[int, int, int] | None = None
+        self._file_check: Future[None] | None = None
         self._writes = 0
         entries, problems = _read(path)
         self._first = dict(first or {})
@@ -124,7 +124,7 @@ class SettingsStore:
     def settings(self) -> Settings:
         """The present settings; those of arms and devices as last known to be in the file."""
         with self._turn:
-            self._take_news()
+            self._apply_reloaded()
             return self._settings
 
     def strange(self, name: str, key: str) -> str | None:
@@ -138,7 +138,7 @@ class SettingsStore:
             It as a text, shortened; ``None`` if there is nothing, or it is understood.
         """
         with self._turn:
-            self._take_news()
+            self._apply_reloaded()
             return self._maps[name].strange_at(key)
 
     @_by_name(Settings)
@@ -210,10 +210,10 @@ class SettingsStore:
         What could not be saved before is tried once more; to be called once a second.
         """
         if self._files is None:
-            self._look_at_file()
-        elif self._look is None or self._look.done():  # a disk that hangs is asked once
+            self._check_file()
+        elif self._file_check is None or self._file_check.done():  # a disk that hangs is asked once
             with contextlib.suppress(RuntimeError):  # the thread has ended, and the program ends
-                self._look = self._files.submit(self._look_at_file)
+                self._file_check = self._files.submit(self._check_file)
 
     def subscribe(self, subscriber: Subscriber) -> Callable[[], None]:
         """Have a function called with the settings after each change made here.
@@ -238,7 +238,7 @@ class SettingsStore:
 
     def _revise(self, revisions: Sequence[Revision]) -> Refusal | None:
         with self._turn:
-            self._take_news()
+            self._apply_reloaded()
             before = self._settings
             kept, settings = self._entries_of(self._kept), self._entries_of(before)
             for revision in revisions:
@@ -258,9 +258,9 @@ class SettingsStore:
         values = {each.name: getattr(settings, each.name) for each in fields(Settings)}
         return values | {name: each.whole for name, each in self._maps.items()}
 
-    def _take_news(self) -> None:
+    def _apply_reloaded(self) -> None:
         """Take over what the file was found to have of arms and devices; `_turn` is held."""
-        entries, self._news = self._news, None
+        entries, self._reloaded = self._reloaded, None
         if entries is not None:
             for revision in self._unsaved:
                 revision(entries)
@@ -336,7 +336,7 @@ class SettingsStore:
             return self._not_saved(error)
         with self._turn:
             del self._unsaved[: len(unsaved)]
-            self._news = entries
+            self._reloaded = entries
             self._writes += 1
         return None
 
@@ -348,7 +348,7 @@ class SettingsStore:
             if name not in self._first or value != self._first[name]
         }
 
-    def _look_at_file(self) -> None:
+    def _check_file(self) -> None:
         """Read the file if another program has written it since; waits for a disk."""
         if self._unsaved:
             self._write()
@@ -356,13 +356,13 @@ class SettingsStore:
         try:
             found = self._path.stat()
             stamp = found.st_size, found.st_mtime_ns, found.st_ino
-            entries = None if stamp == self._looked else _entries(self._path)
+            entries = None if stamp == self._checked_stamp else _entries(self._path)
         except (OSError, ValueError, RecursionError):
             return  # what was read before stays in force
-        self._looked = stamp
+        self._checked_stamp = stamp
         with self._turn:
             if entries is not None and writes == self._writes:
-                self._news = entries
+                self._reloaded = entries
 
     def _not_saved(self, error: BaseException) -> Refusal:
         return SETTINGS_NOT_SAVED(path=str(self._path), text=error_text(error))

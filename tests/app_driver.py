@@ -113,9 +113,9 @@ class RigHand:
         """Lead all joints to six angles."""
         self._rig.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s)
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Release the arm."""
-        self._rig.firmware.hand_guiding.let_go()
+        self._rig.firmware.hand_guiding.release()
 
     def switch(self, name: str, joint: int, *, begins: bool) -> None:
         """Begin or end a fault."""

@@ -28,7 +28,7 @@ class Hand:
 
     def look(self):
         """What the timer does ten times a second."""
-        self.app_driver.window._picture.look()
+        self.app_driver.window._picture.refresh()
 
     def grip(self, kind, number) -> Grip:
         self.look()

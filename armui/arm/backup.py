@@ -16,7 +16,7 @@ from typing import Final
 
 from armui.arm.json_fields import FieldError, FieldProblem, Fields
 from armui.arm.limits import JOINTS
-from armui.arm.parameters import KINDS, Group, Parameter, check_value, heard
+from armui.arm.parameters import KINDS, Group, Parameter, check_value, reading_of
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import PiperModel
@@ -278,7 +278,7 @@ def _row(
     known: Collection[Parameter],
     same: Callable[[Parameter, float], bool],
 ) -> ComparisonRow:
-    said = heard(state, parameter)
+    said = reading_of(state, parameter)
     held = None if said is None else said.value
     if parameter not in known:
         return ComparisonRow(parameter, ComparisonVerdict.ONLY_IN_FILE, filed)

@@ -274,14 +274,14 @@ def all_batches(*, teaching: bool, drag_assistance: bool) -> Iterator[Batch]:
         yield Batch(Group.TEACHING)
 
 
-def heard(state: ArmState, parameter: Parameter) -> Reading[float] | None:
+def reading_of(state: ArmState, parameter: Parameter) -> Reading[float] | None:
     """Return a parameter's value as last read from the arm, or ``None`` if it has not been read."""
     return parameter.kind.read(state, parameter.joint)
 
 
 def is_corrupt(state: ArmState, parameter: Parameter) -> bool:
     """Return whether the value read can only come from a corrupted memory (0xFFFF)."""
-    known = heard(state, parameter)
+    known = reading_of(state, parameter)
     if known is None:
         return False
     if parameter.kind.group is Group.JOINT_LIMITS and parameter.kind.unit == "°":

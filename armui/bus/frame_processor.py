@@ -125,7 +125,7 @@ class FrameProcessor:
             self._others.note(frame.arbitration_id, frame.data, at_s)
         heard = (invalid_frame(frame, flags) if flags else None) or self.codec.decode(frame)
         self._tracker.update(heard, at_s)
-        self.notifier.heard.append((heard, at_s, frame, flags))
+        self.notifier.received.append((heard, at_s, frame, flags))
         if isinstance(heard, Message):
             if self.samples.wanted and heard.name == _LAST_ANGLES:
                 self.samples.put(self._tracker.snapshot(), at_s)

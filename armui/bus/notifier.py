@@ -33,16 +33,16 @@ class Notifier:
 
     Attributes:
         sent: Sent frames with their times, put in by the threads that send.
-        heard: Received frames.
+        received: Received frames.
     """
 
     def __init__(self, listeners: Sequence[Listener] = ()) -> None:
         self._wanted: tuple[Listener, ...] = tuple(listeners)
         self._followed: tuple[Listener, ...] = ()
-        self._told: list[Listener] = []
+        self._active: list[Listener] = []
         self._failed: list[Listener] = []
         self._opened: tuple[Codec, int | None] | None = None
-        self.heard: list[ReceivedFrame] = []
+        self.received: list[ReceivedFrame] = []
         self.sent: deque[tuple[Frame, float]] = deque(maxlen=SENT_KEPT)
 
     def set_listeners(self, listeners: Sequence[Listener]) -> None:
@@ -56,54 +56,54 @@ class Notifier:
     def open(self, codec: Codec, bitrate: int | None) -> None:
         """Tell the listeners that a device was opened, with its codec and its bit rate in bit/s."""
         self._opened = codec, bitrate
-        self._told, self._failed = [], []
-        self._update_told()
+        self._active, self._failed = [], []
+        self._update_active()
 
     def flush(self, codec: Codec, now_s: float) -> None:
         """Pass on the frames that were collected since the last flush, decoded by this codec."""
         if self._wanted is not self._followed:
-            self._update_told()
-        heard, self.heard = self.heard, []
+            self._update_active()
+        received, self.received = self.received, []
         sent = self._decoded(codec) if self.sent else ()
 
         def pass_on(listener: Listener) -> None:
-            if heard:
-                listener.on_heard(heard)
+            if received:
+                listener.on_heard(received)
             if sent:
                 listener.on_sent(sent)
             listener.on_look(now_s)
 
-        self._tell(pass_on, self._told)
+        self._notify(pass_on, self._active)
 
     def switch(self, before: Codec, codec: Codec, now_s: float) -> None:
         """Tell the listeners that another codec decodes the frames from now on."""
         self.flush(before, now_s)
         if self._opened is not None:
             self._opened = codec, self._opened[1]
-        self._tell(lambda listener: listener.on_codec(codec), self._told)
+        self._notify(lambda listener: listener.on_codec(codec), self._active)
 
     def error_frame(self) -> None:
         """Tell the listeners that the adapter has reported an error on the bus."""
-        self._tell(lambda listener: listener.on_error_frame(), self._told)
+        self._notify(lambda listener: listener.on_error_frame(), self._active)
 
-    def _update_told(self) -> None:
+    def _update_active(self) -> None:
         """Start passing frames to added listeners, and stop for removed ones."""
         wanted = self._followed = self._wanted
         self._failed = [each for each in self._failed if each in wanted]
-        came = [each for each in wanted if each not in self._told and each not in self._failed]
-        self._told = [each for each in self._told if each in wanted]
+        came = [each for each in wanted if each not in self._active and each not in self._failed]
+        self._active = [each for each in self._active if each in wanted]
         if self._opened is None:
             return
         codec, bitrate = self._opened
 
         def begin(listener: Listener) -> None:
-            self._told.append(listener)
+            self._active.append(listener)
             listener.on_open(bitrate)
             listener.on_codec(codec)
 
-        self._tell(begin, came)
+        self._notify(begin, came)
 
-    def _tell(self, word: Callable[[Listener], None], listeners: Sequence[Listener]) -> None:
+    def _notify(self, word: Callable[[Listener], None], listeners: Sequence[Listener]) -> None:
         for listener in tuple(listeners):
             try:
                 word(listener)
@@ -121,5 +121,5 @@ class Notifier:
         _LOG.exception(
             "%s has failed; it is told no more until reconnecting", type(listener).__name__
         )
-        self._told.remove(listener)
+        self._active.remove(listener)
         self._failed.append(listener)

@@ -68,7 +68,7 @@ class ReceiveQueue:
             self._socket.close()
             self._socket = None
 
-    def look(self, now_s: float) -> None:
+    def poll(self, now_s: float) -> None:
         """Read the kernel's counter, at most twice a second."""
         if self._socket is not None and now_s >= self._next_look_s:
             self._next_look_s = now_s + _LOOK_S

@@ -273,7 +273,7 @@ class BusWorker(QThread):
             self._pictured_s = now_s
             self._notifier.flush(self._processor.codec, now_s)
             self._processor.publish()
-            self._queue.look(now_s)
+            self._queue.poll(now_s)
 
     def _take_in(self, message: can.Message, now_s: float) -> None:
         if is_own_echo(message, self._device.interface):

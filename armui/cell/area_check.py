@@ -173,7 +173,7 @@ class AreaCheck:
         zone, part = self._area.zones[found.obstacle], self._moved.parts[found.capsule]
         return Breach(index, share, zone, part, found.gap_mm)
 
-    def look(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
+    def nearest_entries(self, joints_deg: Sequence[float]) -> tuple[AreaEntry, ...]:
         """Return what of the arm is nearest to each plane and box at six angles, nearest first."""
         gaps, nearest = (each[0].tolist() for each in self._nearest([joints_deg]))
         parts = [self._moved.parts[capsule] for capsule in nearest]

@@ -131,9 +131,11 @@ class ArmController(ControllerParts):
         self._connection = Connection(opener, clock, self, make_worker)
         self._connection.changed.connect(self._on_connection)
         self._connection.arm_came.connect(self._on_arm_came)
-        self._stop = Stopping(self._connection, self._tell, clock, lambda: self._parts.halt())  # noqa: PLW0108
+        self._stop = Stopping(self._connection, self._emit_event, clock, lambda: self._parts.halt())  # noqa: PLW0108
         authority = self._authority = Authority()
-        self._watch = AuthorityWatch(authority, self._connection, self._tell, self._end_too_fast)
+        self._watch = AuthorityWatch(
+            authority, self._connection, self._emit_event, self._end_too_fast
+        )
         self._assessor = Assessor(
             *(self, self._connection, self._stop, self._watch, clock),
             state=lambda: self._state,
@@ -142,7 +144,7 @@ class ArmController(ControllerParts):
         self._refresh = self._assessor.refresh
         self._context = MotionContext(
             self._connection,
-            self._tell,
+            self._emit_event,
             clock,
             lambda: self._state,
             self._assessor.read,
@@ -152,11 +154,11 @@ class ArmController(ControllerParts):
             self.operation_begun.emit,
             lambda: self.gate,
         )
-        self._parts = Parts(self._tell, self._on_part_failed)
+        self._parts = Parts(self._emit_event, self._on_part_failed)
         self._motion_end = MotionEnd(
             self, self._context, lambda: self._stop.emergency_stop.requested
         )
-        self._link_watch = LinkWatch(self._connection, self._tell)
+        self._link_watch = LinkWatch(self._connection, self._emit_event)
         self._was_stopped = self._lets_finish = False
         self._state = ArmState()
         self._timer = QTimer(self, interval=_TICK_MS, timerType=Qt.TimerType.PreciseTimer)
@@ -187,14 +189,14 @@ class ArmController(ControllerParts):
         """The arm and the connection at this moment, to be kept with a question, press or check."""
         return self._connection.mark
 
-    def tell_withdrawn(self, question: str, reason: Refusal) -> None:
+    def report_withdrawn(self, question: str, reason: Refusal) -> None:
         """Tell the operator that a question, or a held button, no longer counts.
 
         Args:
             question: Its title in the operator's language.
             reason: Why it no longer counts.
         """
-        self._tell(QUESTION_WITHDRAWN, question=question, reason=reason)
+        self._emit_event(QUESTION_WITHDRAWN, question=question, reason=reason)
 
     # Devices ----------------------------------------------------------------------------------
 
@@ -245,7 +247,7 @@ class ArmController(ControllerParts):
         self.cell.end_device()
         self._timer.stop()
         self._state = ArmState()
-        self._tell(DISCONNECTED, device=device)
+        self._emit_event(DISCONNECTED, device=device)
         self.state_changed.emit(self._state)
         self._refresh()
         self.recovery.follow_arm()
@@ -313,7 +315,9 @@ class ArmController(ControllerParts):
         answer: Started | Refusal | None = self.operations[name].carry_out(*arguments, **named)
         return answer
 
-    def _tell(self, notice: Notice, started: Started | None = None, /, **params: object) -> None:
+    def _emit_event(
+        self, notice: Notice, started: Started | None = None, /, **params: object
+    ) -> None:
         self.noticed.emit(Event(self._wall(self._clock()), notice, params, started))
 
     def _on_noticed(self, event: Event) -> None:
@@ -415,7 +419,7 @@ class ArmController(ControllerParts):
             self._forget_arm()
         # Going to another place of a replayed log breaks the link, too; that is no loss to report.
         if report.device.recorded is None or notice not in LINK_BREAKS:
-            self._tell(notice, device=report.device, reason=report.problem)
+            self._emit_event(notice, device=report.device, reason=report.problem)
         self._refresh()
         self.recovery.follow_arm()
 

@@ -22,7 +22,7 @@ from armui.telemetry.events import EventKind, EventOutcome, Level
 if TYPE_CHECKING:
     from armui.control.authority import Authority
     from armui.control.link.connection import Connection
-    from armui.control.operations.telling import Tell
+    from armui.control.operations.telling import EmitEvent
 
 OTHER_HOST_MOVES = Notice(
     "other_host_moves",
@@ -73,7 +73,7 @@ class AuthorityWatch:
     Args:
         authority: Knows who moves the arm.
         connection: The way to the arm.
-        tell: Takes the events.
+        emit_event: Takes the events.
         end_motion: Ends our motion with a reason.
 
     Attributes:
@@ -84,12 +84,12 @@ class AuthorityWatch:
         self,
         authority: Authority,
         connection: Connection,
-        tell: Tell,
+        emit_event: EmitEvent,
         end_motion: Callable[[Refusal], None],
     ) -> None:
         self.authority = authority
         self._connection = connection
-        self._tell = tell
+        self._emit_event = emit_event
         self._end_motion = end_motion
         self._began: tuple[float, datetime] | None = None
         self._was_commanded = False
@@ -128,9 +128,9 @@ class AuthorityWatch:
         if commanded is not self._was_commanded:
             self._was_commanded = commanded
             notice = LEADER_ARM_MOVES if other.is_leader else OTHER_HOST_MOVES
-            self._tell(notice if commanded else OTHER_HOST_GONE, frames=other.frames)
+            self._emit_event(notice if commanded else OTHER_HOST_GONE, frames=other.frames)
         if authority.cancel_unheeded and not self._was_unheeded:
-            self._tell(CANCEL_UNHEEDED)
+            self._emit_event(CANCEL_UNHEEDED)
         self._was_unheeded = authority.cancel_unheeded
         if authority.holds:
             self._acknowledgement.reset()
@@ -143,12 +143,12 @@ class AuthorityWatch:
                 Ending.FAILED,
                 EventOutcome(MOTION_UNHEEDED.id, now_s, MOTION_UNHEEDED.level),
             )
-            self._tell(MOTION_UNHEEDED)
+            self._emit_event(MOTION_UNHEEDED)
         self._follow_motion(now_s)
         if authority.overspeed is not None:
             reason = authority.overspeed
             self._end_motion(reason)
-            self._tell(MOTION_TOO_FAST, reason=reason)
+            self._emit_event(MOTION_TOO_FAST, reason=reason)
 
     def _follow_motion(self, now_s: float) -> None:
         """Close the commands of ours that have ended, or come to rest; a replay does so itself."""
@@ -187,7 +187,7 @@ class AuthorityWatch:
         self.observe(now_s)
         refusal = self.authority.take_over()
         if refusal is None:
-            self._tell(TAKEN_OVER)
+            self._emit_event(TAKEN_OVER)
         return refusal
 
     def report(self) -> OtherHostReport | None:

@@ -14,7 +14,7 @@ from armui.control.link.link_state import LINK_LOST, LinkState, why_unreachable
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import Tell, close_and_tell, report_and_tell
+from armui.control.operations.telling import EmitEvent, close_and_emit, report_and_emit
 from armui.control.parameters.planning_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.control.safety.standstill import STILL_MOVING, why_moving
@@ -52,7 +52,7 @@ class Context:
 
     Attributes:
         connection: The way to the arm.
-        tell: Takes the events.
+        emit_event: Takes the events.
         clock: Monotonic time in seconds.
         state: The arm as last heard.
         operating_state: Returns the operating state of the last assessment, by the controller's
@@ -66,7 +66,7 @@ class Context:
     """
 
     connection: Connection
-    tell: Tell
+    emit_event: EmitEvent
     clock: Callable[[], float]
     state: Callable[[], ArmState]
     operating_state: Callable[[], OperatingState]
@@ -94,7 +94,7 @@ class Context:
             refusal: The reason.
             sends: True if something would have been sent to the arm.
         """
-        self.tell(REFUSED if sends else NOT_DONE, reason=refusal)
+        self.emit_event(REFUSED if sends else NOT_DONE, reason=refusal)
         return refusal
 
     def close(
@@ -108,11 +108,11 @@ class Context:
             notice: The notice for the operator.
             **params: The figures of that.
         """
-        close_and_tell(self.tell, self.clock(), started, ending, notice, **params)
+        close_and_emit(self.emit_event, self.clock(), started, ending, notice, **params)
 
     def report(self, started: Started, notice: Notice, **params: object) -> None:
         """Tell the operator what is known of a command that has not ended."""
-        report_and_tell(self.tell, self.clock(), started, notice, **params)
+        report_and_emit(self.emit_event, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
         """Return why no motion frame may be sent now, by who moves the arm, or ``None``.

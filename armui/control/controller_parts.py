@@ -226,7 +226,7 @@ class ControllerParts(QObject):
             self._context,
             end_all=self._end_driven,
             end_gripper=self.gripper.end_travel,
-            tell_speed=self.motion.tell_speed,
+            send_speed=self.motion.send_speed,
         )
 
     @cached_property

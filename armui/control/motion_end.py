@@ -114,13 +114,13 @@ class MotionEnd:
             _succeeds(self._end_gripper)  # after the abort, which drops all that waits
         return told
 
-    def await_rest(self, look: Callable[[], None], wait: Callable[[float], object]) -> None:
+    def await_rest(self, refresh: Callable[[], None], wait: Callable[[float], object]) -> None:
         """Tell the arm again to end its motion until it stands still, for half a second at most.
 
         A frame may be lost, and after the program's end nobody would see the arm move on.
 
         Args:
-            look: Takes in the feedback.
+            refresh: Takes in the feedback.
             wait: Lets a time pass, in seconds.
         """
         authority, clock = self._context.authority, self._context.clock
@@ -134,7 +134,7 @@ class MotionEnd:
                 told_s = now_s
                 self._abort()
             wait(_LOOK_S)
-            look()
+            refresh()
 
     @property
     def busy(self) -> bool:

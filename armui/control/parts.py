@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
-from armui.control.operations.telling import Tell
+from armui.control.operations.telling import EmitEvent
 from armui.telemetry.events import EventKind, Level
 
 PART_FAILED_NOTICE = Notice(
@@ -28,14 +28,16 @@ class Parts:
     operator is told its first failure; every failure is logged.
 
     Args:
-        tell: Takes the events.
+        emit_event: Takes the events.
         on_failure: Called at each failure: no motion may go on unwatched.
     """
 
-    def __init__(self, tell: Tell, on_failure: Callable[[], None] = lambda: None) -> None:
+    def __init__(
+        self, emit_event: EmitEvent, on_failure: Callable[[], None] = lambda: None
+    ) -> None:
         self._parts: Sequence[ControllerPart] = ()
         self._last: Sequence[ControllerPart] = ()
-        self._tell = tell
+        self._emit_event = emit_event
         self._on_failure = on_failure
         self._failed: set[str] = set()
         self._out_of_order: set[str] = set()
@@ -75,15 +77,15 @@ class Parts:
         for part in (*self._parts, *self._last):
             self._have(type(part).__name__, part.forget_arm)
 
-    def attempt(self, name: str, look: Callable[[], object], *, step: str = "") -> None:
+    def attempt(self, name: str, function: Callable[[], object], *, step: str = "") -> None:
         """Call something that is no part with the same care.
 
         Args:
             name: The name told to the operator if it fails.
-            look: The function to call.
+            function: The function to call.
             step: Distinguishes several calls under the same name.
         """
-        if self._have(name, look):
+        if self._have(name, function):
             self._out_of_order.discard(name + step)
         else:
             self._out_of_order.add(name + step)
@@ -100,6 +102,6 @@ class Parts:
             _LOG.exception("%s has failed", name)
             if name not in self._failed:
                 self._failed.add(name)
-                self._tell(PART_FAILED_NOTICE, part=name)
+                self._emit_event(PART_FAILED_NOTICE, part=name)
             return False
         return True

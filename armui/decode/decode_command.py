@@ -169,17 +169,17 @@ def _decode(log: LogFile, wanted: str, firmware: FirmwareVersion | None, *, as_j
                 told = int(generation)
                 codec = Codec(generation, firmware=layout.firmware)
                 lines.speak(codec)
-        if generation is Generation.TWO and layout.look_at(batch):
+        if generation is Generation.TWO and layout.search(batch):
             codec = Codec(generation, firmware=layout.firmware)
             lines.speak(codec)
         texts = lines.lines(batch)
         if LOG_NO_TIMES() not in log.damages.notes:
             _mark_jumps(texts, batch, codec, jumps, as_json=as_json)
-        noted = _say_notes(log, noted)
+        noted = _report_notes(log, noted)
         write_out("\n".join(texts) + "\n")
-        said = _say_damages(log, said)
-    _say_damages(log, said)
-    _say_notes(log, noted)
+        said = _report_damages(log, said)
+    _report_damages(log, said)
+    _report_notes(log, noted)
     if log.damages.not_kept:
         further = Told("{count} further places cannot be read", count=log.damages.not_kept)
         _complain(log.path, further)
@@ -211,7 +211,7 @@ class _Layout:
     def __init__(self, path: Path, asked: FirmwareVersion | None) -> None:
         self._path = path
         self._finder = FirmwareFinder()
-        self._told: dict[Channel, FirmwareVersion] = {}
+        self._reported: dict[Channel, FirmwareVersion] = {}
         self._warned = False
         self.firmware = asked
         if asked is not None:
@@ -223,12 +223,12 @@ class _Layout:
                 ),
             )
 
-    def look_at(self, batch: FrameBatch) -> bool:
+    def search(self, batch: FrameBatch) -> bool:
         """Search a batch and report news; return whether the firmware is another."""
         self._finder.feed(batch)
         for channel, version in self._finder.versions.items():
-            if self._told.get(channel) != version:
-                self._told[channel] = version
+            if self._reported.get(channel) != version:
+                self._reported[channel] = version
                 self._report_version(channel, version)
         before, self.firmware = self.firmware, self._finder.first or self.firmware
         if self.firmware is None and self._finder.has_mit and not self._warned:
@@ -255,14 +255,14 @@ class _Layout:
         _complain(self._path, text)
 
 
-def _say_damages(log: LogFile, said: int) -> int:
+def _report_damages(log: LogFile, said: int) -> int:
     """Print the damaged places met since the last call."""
     for damage in log.damages.since(said):
-        _complain(log.path, damage.told())
+        _complain(log.path, damage.text())
     return len(log.damages)
 
 
-def _say_notes(log: LogFile, said: int) -> int:
+def _report_notes(log: LogFile, said: int) -> int:
     """Print the notes on the log that are new since the last call."""
     for note in log.damages.notes[said:]:
         _complain(log.path, say_sentence(note.reason, note.params))

@@ -142,10 +142,10 @@ class Done:
     """The change is done.
 
     Attributes:
-        told: The helper's result of checking it.
+        result: The helper's result of checking it.
     """
 
-    told: Mapping[str, Any]
+    result: Mapping[str, Any]
 
 
 Answer = Planned | Done | Refusal
@@ -175,19 +175,19 @@ class AdapterChange:
 
     Args:
         words: The verb and its arguments.
-        tell: Called with the plan and, after `go`, with the result; or with a refusal. It is called
-            in that thread, until it is ended.
+        on_answer: Called with the plan and, after `go`, with the result; or with a refusal. It
+            is called in that thread, until it is ended.
         command: The command that starts the helper: as root, or as the present user, to plan only.
     """
 
     def __init__(
         self,
         words: Sequence[str],
-        tell: Callable[[Answer], object],
+        on_answer: Callable[[Answer], object],
         command: Sequence[str] = BY_ROOT,
     ) -> None:
         self._command = [*command, *words]
-        self._tell = tell
+        self._on_answer = on_answer
         self._lock = threading.Lock()
         self._process: subprocess.Popen[str] | None = None
         self._late: threading.Timer | None = None
@@ -237,7 +237,7 @@ class AdapterChange:
             self.is_ended = not isinstance(answer, Planned)
         if self._late is not None and self.is_ended:
             self._late.cancel()
-        self._tell(answer)
+        self._on_answer(answer)
 
     def _run(self) -> None:
         try:

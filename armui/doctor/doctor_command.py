@@ -12,10 +12,10 @@ from typing import Final
 from armui.arm.refusal import Refusal
 from armui.doctor.facts import CanFacts, Facts, HeardFacts, ProgramFacts, ScreenFacts
 from armui.doctor.judge import an_arm_answers, judge
-from armui.doctor.probes.can_devices import look_at_can
+from armui.doctor.probes.can_devices import probe_can
 from armui.doctor.probes.listening import listen
-from armui.doctor.probes.program import look_at_program
-from armui.doctor.probes.screen import TRIALS, look_at_screen
+from armui.doctor.probes.program import probe_program
+from armui.doctor.probes.screen import TRIALS, probe_screen
 from armui.doctor.problem_report import collect, doctor_files, save
 from armui.doctor.report import Words, as_json, as_text
 from armui.system.command_line import add_language, say
@@ -36,9 +36,9 @@ _DEFAULT_CHANNELS: Final = {"udp_multicast": "ff15:7079:7468:6f6e:6465:6d6f:6d63
 class Probes:
     """The functions that examine this computer; tests replace them."""
 
-    program: Callable[[], ProgramFacts] = look_at_program
-    screen: Callable[[], ScreenFacts] = look_at_screen
-    can: Callable[[], CanFacts] = look_at_can
+    program: Callable[[], ProgramFacts] = probe_program
+    screen: Callable[[], ScreenFacts] = probe_screen
+    can: Callable[[], CanFacts] = probe_can
     hear: Callable[..., HeardFacts] = listen
 
 

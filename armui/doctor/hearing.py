@@ -45,7 +45,7 @@ class TimedFrame(NamedTuple):
     frame: Frame
 
 
-def hear(
+def heard_facts(
     interface: str,
     channel: str,
     frames: Sequence[TimedFrame],

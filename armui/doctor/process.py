@@ -10,7 +10,7 @@ from typing import Final
 from armui.doctor.adapter_change import helper_is_there
 from armui.doctor.facts import Diagnosis, DiagnosisLevel
 from armui.doctor.judge import NO_DEVICES, SHARED, judge_can
-from armui.doctor.probes.can_devices import look_at_adapters
+from armui.doctor.probes.can_devices import probe_adapters
 from armui.doctor.report import findings_of_json
 from armui.system.command_process import CommandProcess
 
@@ -18,7 +18,7 @@ _PATIENCE_S: Final = 180.0
 """An examination that takes longer hangs, as in a driver, and is ended."""
 _LAST_WORDS: Final = 300
 
-Tell = Callable[[list[Diagnosis] | str], object]
+OnAnswer = Callable[[list[Diagnosis] | str], object]
 """Called in another thread with the findings, or with one line on why there are none."""
 
 _GRAVE = (DiagnosisLevel.FAULT, DiagnosisLevel.WARNING)
@@ -29,11 +29,11 @@ class DoctorProcess(CommandProcess):
 
     Args:
         arguments: The command's arguments beside ``--json``.
-        tell: Called once, unless it is ended before.
+        on_answer: Called once, unless it is ended before.
     """
 
-    def __init__(self, arguments: Sequence[str], tell: Tell) -> None:
-        super().__init__(["doctor", "--json", *arguments], tell)
+    def __init__(self, arguments: Sequence[str], on_answer: OnAnswer) -> None:
+        super().__init__(["doctor", "--json", *arguments], on_answer)
 
     def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
         if isinstance(process, OSError):
@@ -67,7 +67,7 @@ def adapter_trouble() -> list[Diagnosis]:
     meant for a thread that may wait. Faults come first, adapters on one USB controller last.
     """
     helper_is_there()  # cached for the window, which must not wait
-    findings = judge_can(look_at_adapters())
+    findings = judge_can(probe_adapters())
     grave = [
         each
         for level in _GRAVE

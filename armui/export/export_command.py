@@ -195,7 +195,7 @@ def report_lines(report: ExportReport) -> list[str]:
             )
         )
     lines += [say_sentence(note.reason, note.params) for note in report.notes]
-    lines += [damage.told() for damage in report.damages]
+    lines += [damage.text() for damage in report.damages]
     if further := report.damage_count - len(report.damages):
         lines.append(Told("{count} further places cannot be read", count=further))
     return lines
@@ -274,22 +274,22 @@ def run(options: argparse.Namespace) -> int:
         The exit code.
     """
     request = _request(options)
-    said: _Said = _SaidAsJson() if options.json else _Said(request)
+    reporter: _TextReporter = _JsonReporter() if options.json else _TextReporter(request)
     if is_standard_input(request.log):
-        said.failed(ExportProblem.NO_LOG, NO_STANDARD_INPUT)
+        reporter.failed(ExportProblem.NO_LOG, NO_STANDARD_INPUT)
         return EXIT_NOTHING
     try:
         # numpy and the readers take a moment, in which --help need not wait
         from armui.session.exports.export import export_log  # noqa: PLC0415 - see above
 
-        report = export_log(request, said.progress, lambda: said.heard, said.begun)
+        report = export_log(request, reporter.progress, lambda: reporter.has_reader, reporter.begun)
     except ExportError as error:
-        said.failed(error.problem, error.detail)
+        reporter.failed(error.problem, error.detail)
         return EXIT_NOTHING
     except (ExportCancelledError, KeyboardInterrupt):
-        said.stopped()
+        reporter.stopped()
         return EXIT_INTERRUPTED
-    said.done(report)
+    reporter.done(report)
     return EXIT_INCOMPLETE if report.damage_count else EXIT_COMPLETE
 
 
@@ -319,17 +319,17 @@ def _request(options: argparse.Namespace) -> ExportRequest:
     )
 
 
-class _Said:
+class _TextReporter:
     """Reports the export as text for people.
 
     Attributes:
-        heard: True until the reader of the output has gone.
+        has_reader: True until the reader of the output has gone.
     """
 
     def __init__(self, request: ExportRequest) -> None:
         self._request = request
         self._bar = ProgressBar(sys.stderr)
-        self.heard = True
+        self.has_reader = True
 
     def begun(self, unfinished: Path) -> None:
         """Do nothing: the name of the unfinished file is not needed here."""
@@ -361,20 +361,20 @@ class _Said:
 _TELL_EVERY_S: Final = 0.1
 
 
-class _SaidAsJson(_Said):
+class _JsonReporter(_TextReporter):
     """Reports the export as lines of JSON, for the window and for scripts."""
 
     def __init__(self) -> None:
-        self.heard = True
-        self._told_s = -math.inf
+        self.has_reader = True
+        self._reported_s = -math.inf
 
     def begun(self, unfinished: Path) -> None:
         self._write({"unfinished": str(unfinished)})
 
     def progress(self, progress: ExportProgress) -> None:
         now_s = time.monotonic()
-        if now_s - self._told_s >= _TELL_EVERY_S:
-            self._told_s = now_s
+        if now_s - self._reported_s >= _TELL_EVERY_S:
+            self._reported_s = now_s
             self._write({"done": progress.done, "frames": progress.frames})
 
     def failed(self, problem: ExportProblem, detail: str) -> None:
@@ -387,12 +387,12 @@ class _SaidAsJson(_Said):
         self._write({"report": asdict(report)})
 
     def _write(self, line: dict[str, object]) -> None:
-        if not self.heard:
+        if not self.has_reader:
             return
         try:
             write_out(json.dumps(line) + "\n")
         except BrokenPipeError:  # the window that asked for it is gone
-            self.heard = False
+            self.has_reader = False
             detach_output()
 
 

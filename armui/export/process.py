@@ -43,7 +43,7 @@ class ExportDone:
     report: dict[str, Any] | None = None
 
 
-Tell = Callable[[ExportProgress | ExportDone], object]
+OnAnswer = Callable[[ExportProgress | ExportDone], object]
 """Called in another thread with the progress, and at last with the result."""
 
 
@@ -52,12 +52,12 @@ class ExportProcess(CommandProcess):
 
     Args:
         request: The export that is wanted.
-        tell: Called until it is over, unless it is ended before.
+        on_answer: Called until it is over, unless it is ended before.
     """
 
-    def __init__(self, request: ExportRequest, tell: Tell) -> None:
+    def __init__(self, request: ExportRequest, on_answer: OnAnswer) -> None:
         self._unfinished: Path | None = None
-        super().__init__(_arguments(request), tell, nicer_by=_NICER_BY)
+        super().__init__(_arguments(request), on_answer, nicer_by=_NICER_BY)
 
     def _listen(self, process: subprocess.Popen[str] | OSError) -> None:
         """Pass on the process's output until it has ended."""

@@ -120,7 +120,7 @@ class DeadMan:
         if self.hold.phase is not HoldPhase.UP:
             self.hold = DeviceHold(HoldPhase.SPENT)
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Note that the dead-man button was released, however briefly."""
         self._seen_up = True
         self.hold = DeviceHold()

@@ -19,7 +19,7 @@ the next one.
 """
 _IDLE_S: Final = 0.25
 """The period while there is no device."""
-_LOOK_S: Final = 2.0
+_SCAN_S: Final = 2.0
 _END_S: Final = 2.0
 
 OnButtons = Callable[[DeviceInfo, frozenset[str], frozenset[str]], None]
@@ -46,7 +46,7 @@ class DeviceBackend(Protocol):
         """
         ...
 
-    def look(self) -> None:
+    def scan(self) -> None:
         """Search for new devices; may take some tenths of a second."""
         ...
 
@@ -137,14 +137,14 @@ class DeviceReader:
 
     def _run(self) -> None:
         backends = [each for each in self._backends if self._opened(each)]
-        looked_s: float | None = None
+        scanned_s: float | None = None
         try:
             while not self._ending.is_set():
                 now_s = self._clock()
-                due = looked_s is None or now_s - looked_s >= _LOOK_S
+                due = scanned_s is None or now_s - scanned_s >= _SCAN_S
                 if due and not any(each.buttons for each in self._latest.devices):
-                    self._each(backends, "look")
-                    looked_s = now_s
+                    self._each(backends, "scan")
+                    scanned_s = now_s
                 self._read(backends)
                 self._ending.wait(_PERIOD_S if self._latest.devices else _IDLE_S)
         finally:

@@ -46,7 +46,7 @@ class SdlGamepads:
             raise OSError(sdl2.SDL_GetError().decode("utf-8", "replace"))
         self._sdl = sdl2
 
-    def look(self) -> None:
+    def scan(self) -> None:
         """Do nothing: SDL notices devices by itself, and :meth:`read` opens new ones."""
 
     def read(self, now_s: float) -> tuple[DeviceState, ...]:  # noqa: ARG002 - SDL says what goes

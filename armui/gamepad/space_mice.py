@@ -104,7 +104,7 @@ class SpaceMice:
             import hid  # noqa: PLC0415 - as above
         self._hid = hid
 
-    def look(self) -> None:
+    def scan(self) -> None:
         """Open new devices; those that may not be opened are named in `unusable`."""
         unusable = []
         for each in (found for vendor in _VENDORS for found in self._hid.enumerate(vendor, 0)):

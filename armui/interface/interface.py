@@ -104,14 +104,14 @@ class _Waiting:
     session: ClientSession
     call: Call
     bound: BoundOperation | None = None
-    told: Consented | None = None
+    consented: Consented | None = None
 
 
 @dataclass(slots=True)
 class _Followed:
     session: ClientSession
     started: Started
-    told: tuple[object, ...] = field(default=())
+    sent: tuple[object, ...] = field(default=())
 
 
 class Interface(QObject):
@@ -274,7 +274,7 @@ class Interface(QObject):
         self._began = now.stop, fault_of(now.status)
         self._most_percent, self._slowed = lease.max_speed_percent, False
         self._cap_speed(lease)
-        self._tell(
+        self._emit_event(
             reasons.LEASE_GRANTED, client=str(lease.ask.client), percent=lease.max_speed_percent
         )
         if waiting is not None:
@@ -297,10 +297,10 @@ class Interface(QObject):
             self._refuse_consent(LEASE_DECLINED())
             return
         waiting, self._consent = self._consent, None
-        if waiting is None or waiting.told is None:
+        if waiting is None or waiting.consented is None:
             return
-        told = waiting.told
-        self._tell(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
+        told = waiting.consented
+        self._emit_event(reasons.CONSENT_GRANTED, client=str(told.client), operation=told.title)
         if self._run is not None and self._run[0] is waiting:
             self._run[1].accept()
         elif waiting.bound is not None:
@@ -384,7 +384,7 @@ class Interface(QObject):
         )
         if refusal is not None:
             raise refused(refusal)
-        self._tell(reasons.LEASE_ASKED, client=str(client), purpose=purpose)
+        self._emit_event(reasons.LEASE_ASKED, client=str(client), purpose=purpose)
         self._asking = waiting
         if self._lessor.held is not None:
             self._granted(self._lessor.held)
@@ -406,7 +406,7 @@ class Interface(QObject):
         ask, waiting = self._lessor.decline(), self._asking
         self._asking = None
         if ask is not None:
-            self._tell(reasons.LEASE_REFUSED, client=str(ask.client), reason=reason)
+            self._emit_event(reasons.LEASE_REFUSED, client=str(ask.client), reason=reason)
         if waiting is not None:
             self._answer(waiting, refused(reason))
         self._show()
@@ -425,11 +425,11 @@ class Interface(QObject):
         if reason.reason != LEASE_STOPPED:
             self._controller.end_motion_of(self._moving)
         self._moving.clear()
-        self._tell(reasons.LEASE_ENDED, client=str(lease.ask.client), reason=reason)
+        self._emit_event(reasons.LEASE_ENDED, client=str(lease.ask.client), reason=reason)
         if self._server is not None:
             params = {"lease": lease.number, "state": "ended", "reason": plain(reason)}
             if self._holder is not None:
-                self._server.tell("lease", params, self._holder)
+                self._server.send_notification("lease", params, self._holder)
             self._holder = None
         self._refuse_consent(reason)  # last, so that the client first reads that the lease ended
         self._give_up_run(reason)
@@ -460,7 +460,7 @@ class Interface(QObject):
             if percent > self._most_percent:
                 raise refused(LEASE_TOO_FAST(value=percent, maximum=self._most_percent))
         client = waiting.session.client
-        self._tell(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
+        self._emit_event(reasons.CLIENT_ASKS, client=str(client), operation=operation.title)
         height_mm = waiting.call.params.get("agreed_mm", 0.0)
         agrees = height_mm != 0.0 and check_figure("agreed_mm", height_mm, AGREED) is None
         # only the operator can agree that a motion goes below the floor
@@ -483,7 +483,7 @@ class Interface(QObject):
     ) -> None:
         """Ask the operator to let the client do something."""
         client, now_s = waiting.session.client, self._clock()
-        waiting.told = Consented(client, operation.id, operation.title, given, now_s, findings)
+        waiting.consented = Consented(client, operation.id, operation.title, given, now_s, findings)
         self._consent = waiting
 
     def _by_client(self, act: Callable[[], Any], *, moves: bool = True) -> Any:
@@ -571,7 +571,7 @@ class Interface(QObject):
         if self._run is not None:
             raise refused(reasons.CONSENT_BUSY())
         title = self._controller.operations[_RUN].operation.title
-        self._tell(reasons.CLIENT_ASKS, client=str(waiting.session.client), operation=title)
+        self._emit_event(reasons.CLIENT_ASKS, client=str(waiting.session.client), operation=title)
         request = self._library().run(
             *(name, cycles, first_row), partial(self._on_run, waiting), self._give_up_run
         )
@@ -686,7 +686,7 @@ class Interface(QObject):
             return
         now_s, now = self._clock(), self._controller.operating_state
         if self._holder is not None:
-            self._lessor.heard(self._holder.client, self._holder.heard_s)
+            self._lessor.note_activity(self._holder.client, self._holder.heard_s)
         over = self._lessor.why_over(now_s)
         if self._lessor.asked is not None:
             over = over or self._why_no_lease()
@@ -699,10 +699,10 @@ class Interface(QObject):
             else:
                 self._cap_speed(self._lessor.held)
         consent = self._consent
-        told = None if consent is None else consent.told
+        told = None if consent is None else consent.consented
         if told is not None and now_s - told.since_s > GRANT_WITHIN_S:
             self._refuse_consent(reasons.CONSENT_NOT_GIVEN(seconds=round(GRANT_WITHIN_S)))
-        self._tell_outcomes()
+        self._send_outcomes()
         self._show()
 
     def _why_over(self, now: OperatingState, mark: ArmMark | None) -> Refusal | None:
@@ -724,7 +724,7 @@ class Interface(QObject):
         self._began = now.stop, fault_of(now.status)
         return None
 
-    def _tell_outcomes(self) -> None:
+    def _send_outcomes(self) -> None:
         """Report to each client each change in the progress of its operations, and how they end."""
         server = self._server
         if server is None:
@@ -732,9 +732,9 @@ class Interface(QObject):
         for each in list(self._followed):
             started = each.started
             found = (started.ending, started.answer, started.result)
-            if found == each.told:
+            if found == each.sent:
                 continue
-            each.told = found
+            each.sent = found
             result = started.result
             ending = started.ending
             params: Json = {
@@ -745,7 +745,7 @@ class Interface(QObject):
             }
             if result is not None:
                 params["result"] = plain_outcome(result)
-            server.tell("operation", params, each.session)
+            server.send_notification("operation", params, each.session)
             if ending is not None:
                 self._followed.remove(each)
                 if self._doing is started:
@@ -760,9 +760,9 @@ class Interface(QObject):
                 "text": english(event.notice.source, event.params),
                 "figures": figures(event.params),
             }
-            self._server.tell("event", params)
+            self._server.send_notification("event", params)
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         self._controller.noticed.emit(Event(datetime.now().astimezone(), notice, params))
 
     def _answer(self, waiting: _Waiting, value: object | CallError) -> None:
@@ -783,7 +783,7 @@ class Interface(QObject):
             asked=self._lessor.asked,
             lease=self._lessor.held,
             doing="" if doing is None or doing.ending is not None else doing.operation,
-            consent=None if self._consent is None else self._consent.told,
+            consent=None if self._consent is None else self._consent.consented,
         )
         if view != self._view:
             self._view = view

@@ -175,7 +175,7 @@ class Lessor:
         ask, self.asked = self.asked, None
         return ask
 
-    def heard(self, client: Client, now_s: float) -> None:
+    def note_activity(self, client: Client, now_s: float) -> None:
         """Note when data last came from the client that holds the lease; others are ignored."""
         if self.held is not None and self.held.ask.client.number == client.number:
             self._heard_s = max(self._heard_s, now_s)

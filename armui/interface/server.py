@@ -177,10 +177,10 @@ class Server:
         with self._target_lock:
             return self._targets.popitem()[1] if self._targets else None
 
-    def tell(self, method: str, params: Json, to: ClientSession | None = None) -> None:
+    def send_notification(self, method: str, params: Json, to: ClientSession | None = None) -> None:
         """Send a notification to one session, or to all that want the events."""
         line = messages.notification(method, params)
-        self._soon(lambda: self._tell(line, to))
+        self._soon(lambda: self._broadcast(line, to))
 
     def cut_off(self, session: ClientSession) -> None:
         """Close the connection of a client."""
@@ -348,7 +348,7 @@ class Server:
     def _subscribe(self, session: ClientSession, rate_hz: float, fields: Iterable[str]) -> None:
         self._unsubscribe(session)
         session.subscription = asyncio.ensure_future(
-            self._tell_states(session, 1.0 / rate_hz, tuple(fields))
+            self._send_states(session, 1.0 / rate_hz, tuple(fields))
         )
 
     @staticmethod
@@ -357,13 +357,13 @@ class Server:
             session.subscription.cancel()
             session.subscription = None
 
-    async def _tell_states(
+    async def _send_states(
         self, session: ClientSession, period_s: float, fields: tuple[str, ...]
     ) -> None:
         due_s = self._clock()
         while True:
             told = report(self._state(), self._clock(), fields)
-            self._tell(messages.notification("state", told), session)
+            self._broadcast(messages.notification("state", told), session)
             due_s = max(due_s + period_s, self._clock())
             await asyncio.sleep(due_s - self._clock())
 
@@ -384,7 +384,7 @@ class Server:
             line = messages.error(value, id_) if wrong else messages.result(id_, value)  # type: ignore[arg-type]
             self._send(session, line)
 
-    def _tell(self, line: bytes, to: ClientSession | None) -> None:
+    def _broadcast(self, line: bytes, to: ClientSession | None) -> None:
         wanting = [each for each in self._sessions.values() if each.events]
         for session in wanting if to is None else [to]:
             if _unread(session) <= MOST_UNREAD:

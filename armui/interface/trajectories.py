@@ -119,15 +119,15 @@ class Trajectories:
         elif (params["name"] is None) == (params["points"] is None):
             then(CallError(Code.PARAMS, "Wanted: “name” or “points”."))
         else:
-            told = partial(_told, plans=method == "trajectory.plan")
-            self._check(client, then, partial(_loaded, **params), told)
+            report = partial(_check_report, plans=method == "trajectory.plan")
+            self._check(client, then, partial(_loaded, **params), report)
 
     def _check(
         self,
         client: int,
         then: Then,
         load: Callable[[Library], Any],
-        told: Callable[[Preflight], Json],
+        report: Callable[[Preflight], Json],
     ) -> None:
         """Check something from the arm's present place; one check at a time for each client."""
         if client in self._checked_for:
@@ -140,7 +140,7 @@ class Trajectories:
             then(value)
 
         def on_checked(checked: Preflight | Refusal) -> None:
-            answer(checked if isinstance(checked, Refusal) else told(checked))
+            answer(checked if isinstance(checked, Refusal) else report(checked))
 
         def on_read(found: tuple[Content, bool] | Refusal | CallError) -> None:
             if isinstance(found, Refusal | CallError):
@@ -155,7 +155,7 @@ class Trajectories:
         name: str,
         cycles: int,
         first_row: int,
-        told: Callable[[RunRequest], object],
+        on_state: Callable[[RunRequest], object],
         unread: Callable[[Refusal], object],
     ) -> RunRequest:
         """Return the request to run a trajectory of the library; the caller begins it.
@@ -164,7 +164,7 @@ class Trajectories:
             name: The trajectory.
             cycles: How often; 0: until it is ended.
             first_row: The row to begin with, from 1.
-            told: Called with the request in each new state.
+            on_state: Called with the request in each new state.
             unread: Takes why there is nothing to run; the request is given up then.
         """
         seen, options = False, RunOptions(cycles, first_row - 1)
@@ -184,7 +184,7 @@ class Trajectories:
         def note(request: RunRequest) -> None:
             if request.state is RequestState.UNDER_WAY:
                 self._read(lambda library: library.note_run(name, options), lambda _done: None)
-            told(request)
+            on_state(request)
 
         return RunRequest(
             *(self._controller, self._checks, self.runner),
@@ -193,7 +193,7 @@ class Trajectories:
             speed_percent=lambda: begin_percent(
                 self._controller.operating_state.speed_percent, seen=seen
             ),
-            told=note,
+            on_state=note,
             clock=self._clock,
         )
 
@@ -269,10 +269,10 @@ def _given(points: Any) -> Content:
         raise CallError(Code.PARAMS, f"“points”, row {error.line}: {why}") from None
 
 
-def _told(checked: Preflight, *, plans: bool) -> Json:
+def _check_report(checked: Preflight, *, plans: bool) -> Json:
     """Return the findings of a check in JSON and, if wanted, the planned path."""
     path, errors = checked.path, checked.errors
-    told: Json = {
+    report: Json = {
         "name": checked.content.name,
         "errors": errors,
         "warnings": len(checked.findings) - errors,
@@ -281,13 +281,13 @@ def _told(checked: Preflight, *, plans: bool) -> Json:
     }
     if plans:
         kept = path.outline(MOST_POINTS // 2)
-        told |= {
+        report |= {
             "expected_s": [round(each, 3) for each in path.expected_s],
             "times_s": path.times_s[kept].round(3).tolist(),
             "joints_deg": path.joints_deg[kept].round(3).tolist(),
             "rows": (path.rows[kept] + 1).tolist(),
         }
-    return told
+    return report
 
 
 def _finding(found: Finding) -> Mapping[str, object]:

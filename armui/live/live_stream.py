@@ -92,7 +92,7 @@ class LiveSender(threading.Thread):
         frames: The frames.
         arm: The facts on the arm besides its codec.
         shift_s: The shift from the frames' times to seconds since 1970.
-        tell: Called in this thread with each :class:`LiveState`.
+        on_state: Called in this thread with each :class:`LiveState`.
 
     Attributes:
         arm: The facts on the arm besides its codec.
@@ -105,10 +105,11 @@ class LiveSender(threading.Thread):
         frames: LiveFrames,
         arm: LiveArm,
         shift_s: float,
-        tell: Callable[[LiveSender, LiveState], object],
+        on_state: Callable[[LiveSender, LiveState], object],
     ) -> None:
         super().__init__(name="armui-live", daemon=True)
-        self._address, self._frames, self._shift_s, self._tell = address, frames, shift_s, tell
+        self._address, self._frames, self._shift_s = address, frames, shift_s
+        self._on_state = on_state
         self.arm = arm
         self.events: deque[tuple[int, int, str]] = deque(maxlen=_MOST_EVENTS)
         self._lock = threading.Lock()
@@ -128,7 +129,7 @@ class LiveSender(threading.Thread):
             with suppress(OSError, EOFError):  # the process has ended
                 self._serve()
             if not self._ends:
-                self._tell(self, LiveState(problem=LIVE_ENDED()))
+                self._on_state(self, LiveState(problem=LIVE_ENDED()))
         finally:
             self.end()
             if self._process is not None:
@@ -155,10 +156,10 @@ class LiveSender(threading.Thread):
             while state.problem is None:
                 if ours.poll(_WATCHED_S if state.watched else _UNWATCHED_S):
                     state = ours.recv()
-                    self._tell(self, state)
+                    self._on_state(self, state)
                 elif dropped != self._frames.dropped:
                     dropped = self._frames.dropped
-                    self._tell(self, state)
+                    self._on_state(self, state)
                 if not state.on:
                     continue
                 codec, lane = self._frames.newest
@@ -186,7 +187,7 @@ class LiveStream(QObject):
     """
 
     changed = Signal(object)
-    _told = Signal(object, object)
+    _state_changed = Signal(object, object)
 
     def __init__(
         self, controller: ArmController, clock: Callable[[], float], parent: QObject | None = None
@@ -199,7 +200,7 @@ class LiveStream(QObject):
         self._frames = LiveFrames()
         self.view = LiveView()
         # The sender emits this signal in its own thread, which is no thread of Qt's.
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._state_changed.connect(self._on_state_changed, Qt.ConnectionType.QueuedConnection)
         controller.operating_state_changed.connect(self._on_operating_state)
         controller.noticed.connect(self._on_noticed)
 
@@ -222,7 +223,9 @@ class LiveStream(QObject):
             host = "0.0.0.0" if for_others else "127.0.0.1"  # noqa: S104 - the operator's choice
             shift_s = time.time() - self._clock()
             arm = _arm_of(self._controller.operating_state)
-            self._sender = LiveSender((host, port), self._frames, arm, shift_s, self._told.emit)
+            self._sender = LiveSender(
+                (host, port), self._frames, arm, shift_s, self._state_changed.emit
+            )
             self._sender.start()
         self._show(LiveState())
 
@@ -237,7 +240,7 @@ class LiveStream(QObject):
         sender.join(within_s)
         return not sender.is_alive()
 
-    def _on_told(self, sender: LiveSender, state: LiveState) -> None:
+    def _on_state_changed(self, sender: LiveSender, state: LiveState) -> None:
         if sender is not self._sender:
             return  # it was switched off meanwhile
         self._show(state)

@@ -101,7 +101,7 @@ def run(options: argparse.Namespace, clock: Callable[[], float] = steady_s) -> i
             bus = stack.enter_context(opened(device))
         except Exception as error:  # noqa: BLE001 - third-party drivers raise anything
             return _cannot_begin(
-                f"{_said(explain(device, error))}\n{say('`armui doctor` tells more.')}"
+                f"{_refusal_text(explain(device, error))}\n{say('`armui doctor` tells more.')}"
             )
         return _record(bus, device, options, ending, name=name, clock=clock)
 
@@ -143,7 +143,7 @@ def _record(
             break
         if clock() - told_s >= _TOLD_S and not options.quiet:
             told_s = clock()
-            _tell(recording, lane, clock())
+            _print_progress(recording, lane, clock())
     facts = {"reason": problem or ("signal" if ending else "duration"), "dropped": lane.dropped}
     collector.remove(recording.put, lambda: recording.end(facts))
     collector.end()
@@ -215,14 +215,14 @@ def _summary(
 
 def _explained(recording: SessionRecording) -> str:
     folder = recording.plan.folder
-    return _said(why_not_written(recording.failure or OSError("unknown"), folder))
+    return _refusal_text(why_not_written(recording.failure or OSError("unknown"), folder))
 
 
-def _said(reason: Refusal) -> str:
+def _refusal_text(reason: Refusal) -> str:
     return say_sentence(reason.reason, reason.params)
 
 
-def _tell(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
+def _print_progress(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
     """One line that is written over, where a person may be looking."""
     if not sys.stderr.isatty():
         return

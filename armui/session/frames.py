@@ -116,7 +116,7 @@ class Damage(NamedTuple):
     before_frame: int
     frame_given: bool = False
 
-    def told(self) -> Told:
+    def text(self) -> Told:
         """Return the place and the reason as one text."""
         figures = {"place": self.place, "reason": self.reason}
         if self.frame_given:

@@ -31,7 +31,7 @@ END_POSE: Final = (
     ("EndPose2", "RX"), ("EndPose3", "RY"), ("EndPose3", "RZ"),
 )  # fmt: skip
 """The messages and signals of the end pose."""
-_Said = TypeVar("_Said")
+_Answer = TypeVar("_Answer")
 
 _FRAMES_LOOKED_AT: Final = 6_000
 """The frames, two seconds of an arm, that show the generation as well as all of them."""
@@ -73,15 +73,15 @@ def _agreed(
     channel: Channel,
     generation: Generation,
     feedback_offset: int,
-    says: Callable[[FittingArm], _Said],
-) -> _Said | None:
+    answer: Callable[[FittingArm], _Answer],
+) -> _Answer | None:
     """Return what all fitting arms have in common, at the first place where they agree."""
     codec = Codec(generation, Addressing(feedback_offset))
     for place in _PLACES:
         at_s = session.start_s + place * (session.end_s - session.start_s)
-        said = set(map(says, _fitting(session, channel, codec, at_s)))
-        if len(said) == 1:
-            return said.pop()
+        answers = set(map(answer, _fitting(session, channel, codec, at_s)))
+        if len(answers) == 1:
+            return answers.pop()
     return None
 
 

@@ -43,7 +43,7 @@ class LineHand:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
         self._send_hand(b"", *joints_deg, speed_deg_s)
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Release the arm, which stays where it is."""
         self._send_hand(*LETS_GO)
 

@@ -75,4 +75,4 @@ class LineArm(ArmLoop):
             elif speed_deg_s:
                 self.firmware.hand_guiding.lead_to(joints_deg, speed_deg_s)
             else:
-                self.firmware.hand_guiding.let_go()
+                self.firmware.hand_guiding.release()

@@ -89,7 +89,7 @@ def _language() -> Language:
 def say(text: str, /, **figures: object) -> str:
     """Return a text of the command line in the operator's language, with its figures filled in."""
     if isinstance(text, Told):
-        return text.said(_translate)
+        return text.translated(_translate)
     return filled(_translate(CONTEXT, text), figures, _translate)
 
 

@@ -40,7 +40,7 @@ class CommandProcess:
 
     Args:
         arguments: The program's arguments: the name of the command first.
-        tell: Called in that thread with its output and its result, until it is ended.
+        on_answer: Called in that thread with its output and its result, until it is ended.
         nicer_by: The nice value's increase, so that window and bus come first if there are too few
             cores.
 
@@ -49,10 +49,10 @@ class CommandProcess:
     """
 
     def __init__(
-        self, arguments: Sequence[str], tell: Callable[[Any], object], *, nicer_by: int = 0
+        self, arguments: Sequence[str], on_answer: Callable[[Any], object], *, nicer_by: int = 0
     ) -> None:
         self._command = [*this_program(), *arguments]
-        self._tell = tell
+        self._on_answer = on_answer
         self._nicer_by = nicer_by
         self._process: subprocess.Popen[str] | None = None
         self._lock = threading.Lock()
@@ -78,7 +78,7 @@ class CommandProcess:
 
     def _answer(self, answer: object) -> None:
         if not self.is_ended:
-            self._tell(answer)
+            self._on_answer(answer)
 
     def _run(self) -> None:
         try:

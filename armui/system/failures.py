@@ -73,12 +73,12 @@ class FailureHandler(logging.Handler):
     """Makes a :class:`Failure` of each logged exception.
 
     Args:
-        tell: Called with each failure, in the thread where it happens.
+        on_failure: Called with each failure, in the thread where it happens.
     """
 
-    def __init__(self, tell: Callable[[Failure], None]) -> None:
+    def __init__(self, on_failure: Callable[[Failure], None]) -> None:
         super().__init__(logging.ERROR)
-        self._tell = tell
+        self._on_failure = on_failure
         self._counts: Counter[Key] = Counter()
 
     def emit(self, record: logging.LogRecord) -> None:
@@ -93,7 +93,7 @@ class FailureHandler(logging.Handler):
         except Exception:  # noqa: BLE001 - the exception's own text may fail: then use its type
             failure = Failure(type(error).__name__, type(error).__name__, (), self._counts[key])
         try:
-            self._tell(failure)
+            self._on_failure(failure)
         except Exception:  # noqa: BLE001 - telling of a failure must not be another one
             self.handleError(record)
 

@@ -82,16 +82,16 @@ class PresenceWatch:
 
     Args:
         folder: The thing's folder; see :class:`Presence`.
-        tell: Called in a thread of its own with their number whenever it changes, or with an error
-            if the folder cannot be used.
+        on_count: Called in a thread of its own with their number whenever it changes, or with an
+            error if the folder cannot be used.
         look_s: The period of checking.
     """
 
     def __init__(
-        self, folder: Path, tell: Callable[[int | OSError], None], look_s: float = _LOOK_S
+        self, folder: Path, on_count: Callable[[int | OSError], None], look_s: float = _LOOK_S
     ) -> None:
         self._presence = Presence(folder)
-        self._tell = tell
+        self._on_count = on_count
         self._look_s = look_s
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="armui-presence", daemon=True)
@@ -109,11 +109,11 @@ class PresenceWatch:
             while not self._closing.is_set():
                 now = self._presence.others()
                 if now != before and not self._closing.is_set():
-                    self._tell(now)
+                    self._on_count(now)
                     before = now
                 self._closing.wait(self._look_s)
         except OSError as error:
             if not self._closing.is_set():
-                self._tell(error)
+                self._on_count(error)
         finally:
             self._presence.leave()

@@ -50,7 +50,7 @@ class Told(str):
         told.source, told.figures = source, figures
         return told
 
-    def said(self, translate: Callable[[str, str], str]) -> str:
+    def translated(self, translate: Callable[[str, str], str]) -> str:
         """Return the text in the language of a function that translates a text of a context."""
         return filled(translate(self.context, self.source), self.figures, translate)
 
@@ -60,7 +60,7 @@ def filled(text: str, figures: Mapping[str, object], translate: Callable[[str, s
     if not figures:
         return text
     each = {
-        name: figure.said(translate) if isinstance(figure, Told) else figure
+        name: figure.translated(translate) if isinstance(figure, Told) else figure
         for name, figure in figures.items()
     }
     return text.format_map(each)

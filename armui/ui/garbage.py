@@ -29,11 +29,11 @@ class GarbageSearch(QObject):
         super().__init__(parent)
         self._looks = 0
         self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.timeout.connect(self.collect)
         self._timer.start()
         gc.disable()
 
-    def look(self) -> None:
+    def collect(self) -> None:
         """Search new objects, which takes some tenths of a millisecond, or every minute all."""
         self._looks += 1
         if self._looks < _LOOKS:

@@ -71,7 +71,7 @@ class PictureClient(QObject):
     load_failed = Signal(object)
     lost = Signal(object)
     aged = Signal()
-    _told = Signal(object)
+    _received = Signal(object)
 
     def __init__(self, entry: str = ENTRY, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -80,13 +80,13 @@ class PictureClient(QObject):
         self._sequence = 0
         self._state: ViewState | None = None
         self._age = PictureAge()
-        self._looks_old = False
+        self._is_stale = False
         self.shape: RobotShape | None = None
         self._is_rough = True
         self._clock = QTimer(self, singleShot=True)
-        self._clock.timeout.connect(self._look_at_clock)
-        # queued: `_tell` emits in the link's thread, and everything here runs in the GUI thread
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._clock.timeout.connect(self._check_clock)
+        # queued: `_receive` emits in the link's thread, and everything here runs in the GUI thread
+        self._received.connect(self._on_received, Qt.ConnectionType.QueuedConnection)
 
     @property
     def is_running(self) -> bool:
@@ -104,9 +104,9 @@ class PictureClient(QObject):
         return self._sequence
 
     @property
-    def looks_old(self) -> bool:
+    def is_stale(self) -> bool:
         """True if the picture is older than it may be without a notice (S24)."""
-        return self._looks_old
+        return self._is_stale
 
     @property
     def is_settled(self) -> bool:
@@ -116,7 +116,7 @@ class PictureClient(QObject):
     def start(self) -> None:
         """Start drawing, also after the process was given up."""
         self.stop()
-        self._link = ProcessLink(self._tell, self._entry)
+        self._link = ProcessLink(self._receive, self._entry)
         self._show_latest()
         self._link.start()
 
@@ -147,48 +147,48 @@ class PictureClient(QObject):
             self._link.stop()
             self._link = None
 
-    def _tell(self, news: object) -> None:
-        """Bring news into the GUI thread; called in the link's."""
+    def _receive(self, message: object) -> None:
+        """Bring a message into the GUI thread; called in the link's."""
         # the link's thread may still tell something after the Qt object was deleted
         with contextlib.suppress(RuntimeError):
-            self._told.emit((self._link, news))
+            self._received.emit((self._link, message))
 
-    def _on_told(self, told: tuple[ProcessLink | None, object]) -> None:
+    def _on_received(self, received: tuple[ProcessLink | None, object]) -> None:
 
-        link, news = told
+        link, message = received
         if link is not self._link or link is None:
             return  # from a process that was already given up
-        if isinstance(news, PictureFrame):
-            self._note_drawn(news.drawn)
-            self.frame_ready.emit(Picture(news))
-        elif isinstance(news, messages.Drawn):
-            self._note_drawn(news)
-        elif isinstance(news, messages.JointPicked):
-            self.joint_picked.emit(news.number)
-        elif isinstance(news, messages.MarkPicked):
-            self.mark_picked.emit(news.row)
-        elif isinstance(news, messages.RobotShown):
-            self.shape = news.shape
-            self.robot_shown.emit(news.shape)
-        elif isinstance(news, messages.LoadFailed):
-            self.load_failed.emit(news.refusal)
-        elif isinstance(news, Lost):
-            self.lost.emit(news)
+        if isinstance(message, PictureFrame):
+            self._note_drawn(message.drawn)
+            self.frame_ready.emit(Picture(message))
+        elif isinstance(message, messages.Drawn):
+            self._note_drawn(message)
+        elif isinstance(message, messages.JointPicked):
+            self.joint_picked.emit(message.number)
+        elif isinstance(message, messages.MarkPicked):
+            self.mark_picked.emit(message.row)
+        elif isinstance(message, messages.RobotShown):
+            self.shape = message.shape
+            self.robot_shown.emit(message.shape)
+        elif isinstance(message, messages.LoadFailed):
+            self.load_failed.emit(message.refusal)
+        elif isinstance(message, Lost):
+            self.lost.emit(message)
 
     def _note_drawn(self, drawn: messages.Drawn) -> None:
         self._is_rough = drawn.is_rough
         self._age.shown(drawn.sequence, time.monotonic())
-        self._look_at_age()
+        self._check_age()
 
-    def _look_at_clock(self) -> None:
+    def _check_clock(self) -> None:
         now_s = time.monotonic()
-        self._look_at_age()
-        if not self._age.is_newest_shown and not self._looks_old:
+        self._check_age()
+        if not self._age.is_newest_shown and not self._is_stale:
             left_s = LONGEST_S - self._age.age_s(now_s)
             self._clock.start(max(_LOOK_AGAIN_MS, math.ceil(left_s * 1000.0)))
 
-    def _look_at_age(self) -> None:
-        looks_old = self._age.looks_old(time.monotonic())
-        if looks_old is not self._looks_old:
-            self._looks_old = looks_old
+    def _check_age(self) -> None:
+        is_stale = self._age.is_stale(time.monotonic())
+        if is_stale is not self._is_stale:
+            self._is_stale = is_stale
             self.aged.emit()

@@ -138,7 +138,7 @@ class Handles:
         amount = self._drag.amount(x_px, y_px)
         return None if amount is None else Dragged(self._drag.grip, amount)
 
-    def let_go(self) -> bool:
+    def release(self) -> bool:
         """Release the held handle, and return whether there was one."""
         was_held, self._drag = self._drag is not None, None
         return was_held

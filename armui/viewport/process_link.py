@@ -340,14 +340,14 @@ class RenderSession:
         self,
         child: ChildProcess,
         mailbox: Mailbox[RenderRequest],
-        tell: Callable[[object], None],
+        on_message: Callable[[object], None],
         asked_serial: int,
         robots: dict[RobotChoice, bytes],
     ) -> None:
         self._robots = robots
         self._child = child
         self._mailbox = mailbox
-        self._tell = tell
+        self._on_message = on_message
         self._memory: FrameMemory | None = None
         self._path: PathPicture | None = None
         self._slot = 0
@@ -386,10 +386,10 @@ class RenderSession:
         # the answer proves that the process has opened the memory: its name is no longer needed
         memory.unlink_name()
         if drawn.size_px is None:
-            self._tell(drawn)  # the last image shows this state as well
+            self._on_message(drawn)  # the last image shows this state as well
             return
         number = self._mailbox.result_sent()
-        self._tell(PictureFrame(number, memory, self._slot, drawn.size_px, drawn))
+        self._on_message(PictureFrame(number, memory, self._slot, drawn.size_px, drawn))
         self._slot = (self._slot + 1) % SLOTS
 
     def check(self) -> None:
@@ -504,19 +504,19 @@ class RenderSession:
             raise ProcessLostError(message.refusal)
         if isinstance(message, LoadFailed):
             self.failed_robot = self.robot
-        self._tell(message)
+        self._on_message(message)
 
 
 class ProcessLink:
     """Draws states in a process of its own, the latest one first.
 
     Args:
-        tell: Called with messages, in the link's thread.
+        on_message: Called with messages, in the link's thread.
         entry: The function that the process runs.
     """
 
-    def __init__(self, tell: Callable[[object], None], entry: str = ENTRY) -> None:
-        self._tell = tell
+    def __init__(self, on_message: Callable[[object], None], entry: str = ENTRY) -> None:
+        self._on_message = on_message
         self._entry = entry
         self._mailbox: Mailbox[RenderRequest] = Mailbox()
         self._lock = threading.Lock()
@@ -574,7 +574,7 @@ class ProcessLink:
                 reason.reason != NO_OPENGL and self._restarts.lost(time.monotonic())
             )
             if reason is not None:
-                self._tell(Lost(reason, comes_back))
+                self._on_message(Lost(reason, comes_back))
             if not comes_back:
                 return
 
@@ -591,7 +591,7 @@ class ProcessLink:
             if self._mailbox.is_closed:  # `stop` was called while the process was started
                 child.kill()
         session = RenderSession(
-            child, self._mailbox, self._tell, self._asked_serial, self._robot_read
+            child, self._mailbox, self._on_message, self._asked_serial, self._robot_read
         )
         reason: Refusal | None = None
         try:
@@ -649,5 +649,5 @@ class ProcessLink:
         params: dict[str, float | int | str] = {"path": str(suspect.path)}
         if not hung:
             params["text"] = str(reason.params.get("text", ""))
-        self._tell(LoadFailed(Refusal(URDF_HANGS_VIEW if hung else URDF_ENDS_VIEW, params)))
+        self._on_message(LoadFailed(Refusal(URDF_HANGS_VIEW if hung else URDF_ENDS_VIEW, params)))
         return True

@@ -213,7 +213,7 @@ class ArmView(QWidget):
     @property
     def is_late(self) -> bool:
         """True if the picture is late or lost, so that nothing may be aimed at in it."""
-        return self._client.looks_old or self._lost is not None
+        return self._client.is_stale or self._lost is not None
 
     def grab_picture(self) -> QImage | None:
         """Return a copy of the picture with the figures, as on the screen; None without one."""
@@ -553,7 +553,7 @@ class ArmView(QWidget):
         if self._picture is None:
             return QCoreApplication.translate("ArmView", "Loading the 3D model …")
         late = QCoreApplication.translate("ArmView", "Picture delayed")
-        return late if self._client.looks_old else ""
+        return late if self._client.is_stale else ""
 
     def retranslate_ui(self) -> None:
         """Set the texts in the operator's language."""
@@ -610,7 +610,7 @@ class ArmView(QWidget):
         return self._handles.grips(self._shape, self._tool, projection, self._state.palette)
 
     def _leave_handle(self, *, given_up: bool) -> None:
-        if self._handles.let_go():
+        if self._handles.release():
             self._viewpoint.is_carried = False
             self._viewpoint.hold(held=False)
             self._take_camera()

@@ -94,7 +94,7 @@ class PictureAge:
     def __init__(self) -> None:
         self._shown = 0
         self._newer: deque[tuple[int, float]] = deque(maxlen=_REMEMBERED)
-        self._looks_old = False
+        self._is_stale = False
 
     @property
     def is_newest_shown(self) -> bool:
@@ -111,14 +111,14 @@ class PictureAge:
         while self._newer and self._newer[0][0] <= self._shown:
             self._newer.popleft()
         if self.age_s(now_s) <= _CLEAR_S:
-            self._looks_old = False
+            self._is_stale = False
 
     def age_s(self, now_s: float) -> float:
         """Return the time since the first state newer than the one shown; 0 if there is none."""
         return max(0.0, now_s - self._newer[0][1]) if self._newer else 0.0
 
-    def looks_old(self, now_s: float) -> bool:
+    def is_stale(self, now_s: float) -> bool:
         """Return whether the picture must show the notice that it is old."""
         if self.age_s(now_s) > LONGEST_S:
-            self._looks_old = True
-        return self._looks_old
+            self._is_stale = True
+        return self._is_stale

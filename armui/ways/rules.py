@@ -156,7 +156,7 @@ class AreaRule:
         """Return the part and the plane or box as a reason."""
         part, name = breach.part, self.bounds[breach.bound]
         if not part:
-            seen = self._check.look(breach.joints_deg)
+            seen = self._check.nearest_entries(breach.joints_deg)
             part = next(entry.part for entry in seen if entry.zone.name == name)
         if found_outside:
             return AREA_ONLY_OUT(name=name, part=part, value=round(breach.outside, 1))

@@ -29,7 +29,7 @@ def main() -> None:
             while message is not None:
                 read += 1
                 message = bus.recv(0)
-        queue.look(time.monotonic() + 1.0)
+        queue.poll(time.monotonic() + 1.0)
         print(read, queue.dropped, time.process_time() - began_s, flush=True)
 
 

@@ -73,7 +73,7 @@ def test_cost_of_a_look(qapp, tmp_path, capsys, benchmark):
         driver.click("bus_button")
         window = driver.taken_out(BusPage)
         driver.run(0.5)
-        window.look()
+        window.refresh()
         for place in range(window.model.rowCount()):
             index = window.model.index(place, 0)
             window.tree.setExpanded(index, index.data() in SIGNALS_OF)
@@ -84,7 +84,7 @@ def test_cost_of_a_look(qapp, tmp_path, capsys, benchmark):
             for _ in range(LOOKS):
                 driver.run(0.1)
                 began_s = time.thread_time()
-                window.look()
+                window.refresh()
                 looked_s = time.thread_time()
                 rows.viewport().repaint()
                 looks.append(1e3 * (looked_s - began_s))

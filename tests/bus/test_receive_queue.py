@@ -68,13 +68,13 @@ def test_it_is_made_longer(sockets):
 def test_each_frame_lost_is_counted(sockets):
     queue = ReceiveQueue()
     queue.attach(bus_of(sockets[0]))
-    queue.look(0.0)
+    queue.poll(0.0)
     assert queue.dropped == 0
     sent = 4 * sockets[0].getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) // 8192
     overfill(*sockets)
-    queue.look(0.4)  # too early
+    queue.poll(0.4)  # too early
     assert queue.dropped == 0
-    queue.look(0.5)
+    queue.poll(0.5)
     assert queue.dropped == sent - received(sockets[0]) > 0
     queue.detach()
     assert queue.dropped > 0
@@ -85,7 +85,7 @@ def test_what_was_lost_before_it_was_opened_does_not_count(sockets):
     overfill(*sockets)
     queue = ReceiveQueue()
     queue.attach(bus_of(sockets[0]))
-    queue.look(0.0)
+    queue.poll(0.0)
     assert queue.dropped == 0
     queue.detach()
 
@@ -116,5 +116,5 @@ def test_a_bus_without_a_socket_tells_nothing():
     queue = ReceiveQueue()
     with can.Bus(interface="virtual", channel="receive-queue") as bus:
         queue.attach(bus)
-        queue.look(0.0)
+        queue.poll(0.0)
     assert queue.dropped == 0

@@ -39,4 +39,4 @@ def put(controller, *zones, margin_mm=10.0):
 
 def gap_mm(joints_deg, *zones):
     """How near the arm is to any of them; below 0 it is inside."""
-    return check_of(*zones).look(joints_deg)[0].gap_mm
+    return check_of(*zones).nearest_entries(joints_deg)[0].gap_mm

@@ -192,7 +192,7 @@ def test_gaps_are_those_of_the_nearest_part():
     all_gaps = np.concatenate((planes, boxes), axis=2)
     assert check.gaps(poses) == pytest.approx(all_gaps.min(axis=1))
     for pose, each in zip(poses, all_gaps, strict=True):
-        looked = check.look(pose)
+        looked = check.nearest_entries(pose)
         assert [entry.gap_mm for entry in looked] == pytest.approx(np.sort(each.min(axis=0)))
         nearest = capsules.parts[np.unravel_index(each.argmin(), each.shape)[0]]
         assert looked[0].part == nearest

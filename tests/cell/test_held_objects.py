@@ -119,7 +119,7 @@ def test_it_may_touch_what_it_names_and_the_fingers_may_not():
         zone = AreaBox("tray", (*middle, rx, ry, rz), (20.0, 20.0, 20.0))
         pose = (0.0, 0.0, 180.0, 0.0, 0.0, 0.0)
         cube = HeldObject("cube", pose, (20.0, 20.0, 20.0), may_touch=may_touch)
-        found = check_of_held(cube, zone, alone=False).look(joints_deg)
+        found = check_of_held(cube, zone, alone=False).nearest_entries(joints_deg)
         return [entry.part for entry in found if entry.gap_mm < MARGIN_MM]
 
     assert part((), 201.0) == ["held object"]

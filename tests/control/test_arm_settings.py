@@ -5,7 +5,7 @@ import math
 import can
 import pytest
 
-from armui.arm.parameters import SETTING_NO_CHOICE, Batch, Group, Parameter, all_batches, heard
+from armui.arm.parameters import SETTING_NO_CHOICE, Batch, Group, Parameter, all_batches, reading_of
 from armui.control.link.link_state import LINK_LOST
 from armui.control.operations.started import SETTING_NOT_READ_BACK, SETTING_UNANSWERED
 from armui.control.parameters.arm_settings import SETTING_NOT_KEPT
@@ -81,7 +81,7 @@ def test_everything_an_arm_keeps_is_read(any_rig):
     for batch in batches:
         for parameter in batch.parameters():
             assert states(any_rig, parameter) == [CellState.READ]
-            assert heard(any_rig.controller.state, parameter) is not None
+            assert reading_of(any_rig.controller.state, parameter) is not None
     assert any_rig.controller.state.collision_levels.value == (1,) * 6
 
 
@@ -95,7 +95,7 @@ def test_only_what_changed_is_sent_in_generation_2(arm2):
     assert arm2.firmware.settings.limits[1].max_deg == 170.0
     assert arm2.firmware.settings.limits[1].min_deg == FACTORY_LIMITS[1].min_deg
     assert states(arm2, MAX_J2, MIN_J2) == [CellState.SAVED, CellState.UNREAD]
-    assert heard(arm2.controller.state, MAX_J2).value == 170.0
+    assert reading_of(arm2.controller.state, MAX_J2).value == 170.0
     assert arm2.controller.operating_state.limits[1].max_deg == 170.0
 
 
@@ -157,7 +157,7 @@ def test_an_arm_that_neither_answers_nor_takes_it(arm):
     saved(arm, {MAX_J2: 170.0})
     assert states(arm, MAX_J2) == [CellState.REFUSED]
     assert reason(arm, MAX_J2).reason == SETTING_UNANSWERED
-    assert heard(arm.controller.state, MAX_J2).value == FACTORY_LIMITS[1].max_deg
+    assert reading_of(arm.controller.state, MAX_J2).value == FACTORY_LIMITS[1].max_deg
 
 
 def test_a_lost_answer_is_made_good_by_reading_back(arm):
@@ -241,7 +241,7 @@ def test_the_ends_limits_go_back_to_the_factorys(arm):
     accepted(arm.controller.settings.reset_end_limits())
     settled(arm)
     assert frame(0x477, "00 01 00 00 00 00 00 00") in arm.ear.heard
-    assert heard(arm.controller.state, LINEAR_SPEED).value == 1.0
+    assert reading_of(arm.controller.state, LINEAR_SPEED).value == 1.0
     assert states(arm, LINEAR_SPEED) == [CellState.READ]
 
 

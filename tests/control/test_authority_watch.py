@@ -87,11 +87,11 @@ class Program:
         self.authority = Authority()
         self.connection = Connection(self)
         self.watch = AuthorityWatch(
-            self.authority, cast("Any", self.connection), self._tell, self.ended.append
+            self.authority, cast("Any", self.connection), self._emit_event, self.ended.append
         )
         self.wait(0.5)
 
-    def _tell(self, notice, _started=None, /, **params) -> None:
+    def _emit_event(self, notice, _started=None, /, **params) -> None:
         self.told.append((notice, params))
 
     def wait(self, seconds: float, deg: float = 0.0) -> None:

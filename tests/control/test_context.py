@@ -60,7 +60,7 @@ class Part:
         self.looks = 0
         self.context = MotionContext(
             connection=cast("Any", self.connection),
-            tell=lambda code, _started=None, /, **params: self.told.append((code, params)),
+            emit_event=lambda code, _started=None, /, **params: self.told.append((code, params)),
             clock=lambda: self.arm.now_s,
             state=ArmState,
             operating_state=OperatingState,

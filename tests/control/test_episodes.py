@@ -42,7 +42,7 @@ class Log:
         assert self.sessions.stop() is None
 
         def ended():
-            self.sessions.look()
+            self.sessions.poll()
             return self.rig.codes().count("session_ended") > before
 
         self.qtbot.waitUntil(ended, timeout=10_000)

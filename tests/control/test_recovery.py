@@ -65,7 +65,7 @@ def check_reference(rig: ArmRig) -> None:
     accepted(controller.motors.resume())
     rig.run(1.0)
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     for joint in range(1, 7):
         reference.answer(joint, 0.0)
     accepted(reference.finish())
@@ -238,7 +238,7 @@ def test_dragging_too_fast_is_no_dead_end(rig):
     rig.run(0.1)
     rig.firmware.hand_guiding.push((0.0, 200.0, 0.0, 0.0, 0.0, 0.0))
     rig.run_until(lambda: not rig.firmware.mechanics.gives_way)
-    rig.firmware.hand_guiding.let_go()
+    rig.firmware.hand_guiding.release()
     obey(rig)
 
 

@@ -55,7 +55,7 @@ def wait_for(qtbot, rig):
 
     def wait(condition):
         def looked():
-            rig.controller.sessions.look()
+            rig.controller.sessions.poll()
             return condition()
 
         qtbot.waitUntil(looked, timeout=10_000)
@@ -172,7 +172,7 @@ def test_a_stop_saves_the_ring_if_the_operator_wishes_and_not_otherwise(rig, ses
     rig.ready()
     rig.controller.emergency_stop()
     rig.run(8.0)
-    sessions.look()
+    sessions.poll()
     assert not sessions.saving
 
     sessions.choose(replace(sessions.choices, save_at_faults=True))
@@ -180,7 +180,7 @@ def test_a_stop_saves_the_ring_if_the_operator_wishes_and_not_otherwise(rig, ses
     rig.run(1.0)
     rig.controller.emergency_stop()
     rig.run(4.0)
-    sessions.look()
+    sessions.poll()
     assert not sessions.saving
     assert "ring_saved" not in rig.codes()
     rig.run(2.0)  # what follows a stop belongs to it
@@ -194,7 +194,7 @@ def test_a_fault_of_the_arm_is_marked_with_its_end_and_saves_the_ring(rig, sessi
     rig.ready()
     rig.node.faults.start(fault("overcurrent", 2))
     rig.run(3.0)
-    sessions.look()
+    sessions.poll()
     rig.run(4.0)
     wait_for(lambda: "ring_saved" in rig.codes())
 

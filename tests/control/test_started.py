@@ -62,7 +62,7 @@ def in_doubt(rig):
 def checking(rig, *, answered=False):
     reference = rig.controller.reference
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     for joint in range(1, 7) if answered else ():
         reference.answer(joint, 0.0)
 
@@ -100,7 +100,7 @@ BEFORE: dict[str, Any] = {
         rig.run_until(lambda: rig.controller.replayer.progress.done > 0.2),
     ),
     "inspection.start": lambda rig: (
-        rig.controller.inspection.look(10.0),
+        rig.controller.inspection.set_amplitude(10.0),
         rig.run_until(lambda: rig.controller.inspection.plan is not None),
     ),
     "planned.command": motion_under_way,

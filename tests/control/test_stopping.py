@@ -89,12 +89,12 @@ class Console:
         self.connection = Connection(self.happened)
         self.stopping = Stopping(
             cast("Any", self.connection),
-            self._tell,
+            self._emit_event,
             lambda: self.now_s,
             lambda: self.happened.append("all ended"),
         )
 
-    def _tell(self, notice, started=None, /, **params) -> None:
+    def _emit_event(self, notice, started=None, /, **params) -> None:
         self.happened.append(notice)
         if started is not None and started not in self.records:
             self.records.append(started)

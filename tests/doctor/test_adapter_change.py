@@ -53,7 +53,7 @@ def test_it_is_planned_told_to_go_and_done(system):
     change.go()
     done = answers.next()
     assert isinstance(done, Done)
-    assert (done.told["up"], done.told["bitrate"]) == (True, 1_000_000)
+    assert (done.result["up"], done.result["bitrate"]) == (True, 1_000_000)
     assert change.wait(WITHIN_S)
     assert answers.is_empty()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from armui.doctor.hearing import TimedFrame, hear
+from armui.doctor.hearing import TimedFrame, heard_facts
 from armui.protocol.frame import Frame
 
 # CAN control, normal, MOVE J, no teaching, reached, no trajectory point, no limit, no fault
@@ -21,7 +21,7 @@ def heard(*frames: tuple[int, str], times: int = 5, period_s: float = 0.005, **m
         for n in range(times)
         for arbitration_id, data in frames
     ]
-    return hear("socketcan", "can0", stream, seconds=times * period_s, **more)
+    return heard_facts("socketcan", "can0", stream, seconds=times * period_s, **more)
 
 
 def test_an_arm_that_gives_feedback():

@@ -11,8 +11,8 @@ from armui.doctor.facts import CanFacts, LinkFacts
 from armui.doctor.judge import judge_can
 from armui.doctor.probes import program
 from armui.doctor.probes.can_devices import links_of, shared_controllers, usb_adapters
-from armui.doctor.probes.program import look_at_program, satisfies
-from armui.doctor.probes.screen import look_at_screen, missing_libraries
+from armui.doctor.probes.program import probe_program, satisfies
+from armui.doctor.probes.screen import missing_libraries, probe_screen
 from armui.doctor.process import adapter_trouble
 
 # ip -details -statistics -json link show, iproute2 6.1, abridged
@@ -115,7 +115,7 @@ def test_adapters_on_one_usb_controller(tmp_path):
 def test_the_connection_dialog_is_told_of_one_controller_after_what_is_graver(monkeypatch):
     shared = (("0000:00:14.0", ("can0", "can1")),)
     facts = CanFacts((LinkFacts("can0", "can", False),), shared=shared)
-    monkeypatch.setattr("armui.doctor.process.look_at_adapters", lambda: facts)
+    monkeypatch.setattr("armui.doctor.process.probe_adapters", lambda: facts)
     assert [each.code for each in adapter_trouble()] == ["link_down", "shared"]
 
 
@@ -139,7 +139,7 @@ def test_versions(installed, wanted, does):
 
 
 def test_this_python_and_its_packages():
-    facts = look_at_program()
+    facts = probe_program()
     assert facts.executable == sys.executable
     assert facts.python_suffices
     by_name = {each.name.lower(): each for each in facts.packages}
@@ -165,7 +165,7 @@ def test_system_libraries_that_qt_wants_and_that_are_not_there(tmp_path, monkeyp
 @pytest.mark.timeout(120)
 def test_this_screen():
     """Whatever runs the tests has Qt, and draws off screen."""
-    facts = look_at_screen()
+    facts = probe_screen()
     assert facts.qt is not None
     assert facts.platform == "offscreen"
     assert facts.has_display

@@ -51,7 +51,7 @@ def _expand(window: BusPage, *identifiers: int) -> None:
 def by_identifier(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     _company(app_driver)
-    window.look()
+    window.refresh()
     window.filter_bar.ids.setText("40, 121, 2A5-2A8, 3C1-7FFFFFFF")
     _expand(window, 0x2A5, 0x3C1, 0x472)
     window.tree.scrollToTop()
@@ -63,7 +63,7 @@ def in_order(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     _company(app_driver)
     window.filter_bar.in_order.click()
-    window.look()
+    window.refresh()
     window.filter_bar.pause.setChecked(True)
     window.trace.scrollToBottom()
     return window.window()
@@ -73,7 +73,7 @@ def by_hand(app_driver: AppDriver) -> QWidget:
     window = _window(app_driver)
     app_driver.run(0.5)
     window.filter_bar.text.setText("0x26")
-    window.look()
+    window.refresh()
     _expand(window, _TEMPERATURES)
     app_driver.hold_button(window.send_box.unlock)
     window.send_box.take(0x471, bytes.fromhex("0701"))
@@ -88,7 +88,7 @@ def blocked(app_driver: AppDriver) -> QWidget:
     device = connection.device
     connection.problem = BUS_OFF(device="can0", interface="socketcan", channel="can0")
     app_driver.step()
-    window.look()
+    window.refresh()
     connection.problem = None
     assert device is not None
     window.filter_bar.pause.setChecked(True)

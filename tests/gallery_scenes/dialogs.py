@@ -112,7 +112,7 @@ def shortcut_list(app_driver: AppDriver) -> QDialog:
 def trouble(app_driver: AppDriver) -> QDialog:
     dialog = connect(app_driver)
     box = dialog.findChild(AdapterTrouble)
-    box._look = lambda: [each for each in judge(TROUBLE) if each.code == "error_passive"]
+    box._find_faults = lambda: [each for each in judge(TROUBLE) if each.code == "error_passive"]
     box.examine()
     return dialog
 

@@ -72,6 +72,6 @@ def searched(app_driver: AppDriver) -> QWidget:
     window.bar.show_all()
     window.bar.levels.setCurrentIndex(1)
     window.bar.search.setText("J3")
-    window.bar._tell()
+    window.bar._on_filter_changed()
     app_driver.wait(lambda: not window.model.searching)
     return window.window()

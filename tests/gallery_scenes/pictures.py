@@ -166,7 +166,7 @@ class _WindowPictures:
         self._driver.store.change(theme=theme)
         view = self._driver.program.view
         _let_work()
-        self._driver.window._picture.look()  # the ghost of a target, not when its timer says so
+        self._driver.window._picture.refresh()  # the ghost of a target, not when its timer says so
         if view.mode is ViewMode.FIT:
             view.fit()  # not as where the arm was seen on its way has it
         drawn(self._driver)

@@ -152,7 +152,7 @@ def _own_recording(app_driver: AppDriver) -> Path:
     assert sessions.stop() is None
 
     def is_ended() -> bool:
-        sessions.look()
+        sessions.poll()
         return "session_ended" in app_driver.codes()
 
     app_driver.wait(is_ended)

@@ -66,7 +66,7 @@ def listed(app_driver: AppDriver) -> SessionsPage:
     page = _page(app_driver)
     page.table.selectRow(2)
     app_driver.wait(lambda: app_driver.controller.sessions.ring().frames > 100)
-    page._look()
+    page._refresh_cards()
     return page
 
 
@@ -92,5 +92,5 @@ def recording(app_driver: AppDriver) -> SessionsPage:
 
     app_driver.wait(written)
     page.refresh()
-    page._look()
+    page._refresh_cards()
     return page

@@ -94,7 +94,7 @@ def test_a_release_between_two_looks_counts():
     hand.look()
     hand.look((), LB)
     hand.look(LEFT, LB)
-    hand.man.let_go()
+    hand.man.release()
     assert hand.look(LEFT, LB).phase is OFF
 
 

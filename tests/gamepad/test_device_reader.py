@@ -32,8 +32,8 @@ class Backend:
     def open(self):
         self._called("open")
 
-    def look(self):
-        self._called("look")
+    def scan(self):
+        self._called("scan")
 
     def read(self, now_s):
         self._called("read")
@@ -119,7 +119,7 @@ def test_a_package_that_is_not_installed_is_named_and_the_other_is_read(backend,
     assert "close" not in backend.calls
 
 
-@pytest.mark.parametrize("where", ["open", "look", "read"])
+@pytest.mark.parametrize("where", ["open", "scan", "read"])
 def test_a_library_that_fails_is_said_and_the_other_is_read(backend, read, where):
     backend.fails[where] = OSError("no such thing")
     other = Backend("hidapi")
@@ -147,11 +147,11 @@ def test_nobody_looks_for_devices_while_a_button_is_held(backend, read):
     reader = DeviceReader((backend,), lambda *_each: None, lambda: now[0])
     try:
         wait_until(lambda: reader.latest.devices)
-        looks = backend.calls.count("look")
+        looks = backend.calls.count("scan")
         now[0] = 10.0
         wait_until(lambda: reader.latest.at_s == 10.0)
-        assert backend.calls.count("look") == looks
+        assert backend.calls.count("scan") == looks
         backend.states = (pad(),)
-        wait_until(lambda: backend.calls.count("look") > looks)
+        wait_until(lambda: backend.calls.count("scan") > looks)
     finally:
         assert reader.end()

@@ -117,7 +117,7 @@ def found(vendor=0x256F, product=0xC635, page=1, usage=8, path=b"/dev/hidraw0"):
 def mice_of(hid):
     mice = SpaceMice()
     mice._hid = hid
-    mice.look()
+    mice.scan()
     return mice
 
 
@@ -172,7 +172,7 @@ def test_one_that_is_pulled_out_is_gone_and_is_found_again():
     device.broken = OSError("read error")
     assert mice.read(0.0) == ()
     assert device.closed
-    mice.look()
+    mice.scan()
     assert mice.read(0.0)
 
 

@@ -447,7 +447,7 @@ def test_nothing_is_taken_hold_of_in_a_picture_that_is_late(hand, monkeypatch):
     """S24: what looks old is not aimed at."""
     fill_fields(hand.app_driver, OUT)
     at = hand.place_on(hand.grip(GripKind.AXIS, 1))
-    monkeypatch.setattr(PictureClient, "looks_old", True)
+    monkeypatch.setattr(PictureClient, "is_stale", True)
     hand.press(at)
     hand.move((at[0] + 20.0, at[1]))
     hand.release(at)

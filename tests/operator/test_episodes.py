@@ -59,7 +59,7 @@ def test_by_button_key_and_gamepad(app_driver, card, tmp_path):
     assert episodes.under_way is None
     assert "episode_closed" in app_driver.codes()
     app_driver.wait(
-        lambda: app_driver.controller.sessions.look() or not card._sessions.busy_names()
+        lambda: app_driver.controller.sessions.poll() or not card._sessions.busy_names()
     )
 
     (path,) = (tmp_path / "sessions").glob("*.blf")

@@ -150,7 +150,7 @@ def test_unanswered_it_closes_by_itself_and_says_the_seconds_left(desk, client):
     asked = desk.asked(client)
     desk.driver.run(GRANT_WITHIN_S - 10)
     dialog = desk.driver.dialog(GrantDialog)
-    dialog._say_left()
+    dialog._show_time_left()
     assert dialog._seconds.text() == "Refused by itself in 10 s."
     desk.driver.run(10.2)
     assert why(client.answer(asked)) == "lease_not_granted"
@@ -223,7 +223,7 @@ def test_the_bar_says_who_does_what_since_when(desk, client):
     for _ in range(int(2 / 0.5)):
         desk.driver.run(0.5)
         client.ask("ping")
-    desk.bar._say()
+    desk.bar._show_text()
     seconds = desk.bar.text.split(" · ")[1].removesuffix(" s")
     assert int(seconds) >= 2
 

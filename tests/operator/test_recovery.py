@@ -244,13 +244,13 @@ def test_a_resting_arm_is_brought_inside_from_the_line(app_driver):
     assert "J3" in line(driver)
     drag = driver.window.findChild(TargetDrag)
     driver.program.view.setVisible(True)
-    drag.look()
+    drag.refresh()
     assert driver.program.view._state.preview.ghost_deg[:5] == inside_deg
     assert "Move inside" in driver.read("picture_note")
     driver.hold_button("recovery_hold_button")
     driver.run_until(lambda: driver.firmware.joints_deg[4] < 15.1)
     reads(driver, "Ready")
-    drag.look()
+    drag.refresh()
     assert driver.program.view._state.preview.ghost_deg is None
     assert driver.firmware.joints_deg[:5] == inside_deg
     driver.click("jog_plus_1")

@@ -33,7 +33,7 @@ class Sessions:
 
     def until(self, condition):
         def looked():
-            self.recorder.look()
+            self.recorder.poll()
             return condition()
 
         self.driver.wait(looked)
@@ -76,7 +76,7 @@ def test_a_session_is_recorded_and_listed(sessions):
     assert mark.isVisible()
     driver.run(3.2)
     sessions.until(lambda: (sessions.recorder.progress() or window).frames > 1000)
-    window._look()
+    window._refresh_cards()
     assert window.recording.record_button.text().strip() == "Stop log"
     assert window.recording.figures_label.text().startswith("3 s · ")
     mark._show_time()
@@ -102,7 +102,7 @@ def test_what_just_happened_is_saved_with_one_button(sessions):
     driver, window = sessions.driver, sessions.window
     driver.run(1.0)
     sessions.until(lambda: sessions.recorder.ring().frames > 1000)
-    window._look()
+    window._refresh_cards()
     assert "of 5 minutes" in window.ring.content_label.text()
     assert window.ring.memory_label.text().endswith("22.0 MB at most")
     driver.click(window.ring.save_button)

@@ -89,10 +89,10 @@ def nearest_mm(place, number, kind):
     for answer in KINDS[kind](rig, number):
         barred = answer
         hold(rig, 0.02)
-        nearest = min(nearest, check.look(rig.firmware.joints_deg)[0].gap_mm)
+        nearest = min(nearest, check.nearest_entries(rig.firmware.joints_deg)[0].gap_mm)
     for _ in range(15):
         hold(rig, 0.02)
-        nearest = min(nearest, check.look(rig.firmware.joints_deg)[0].gap_mm)
+        nearest = min(nearest, check.nearest_entries(rig.firmware.joints_deg)[0].gap_mm)
     rig.controller.shutdown()
     return nearest, barred
 

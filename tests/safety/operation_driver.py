@@ -349,14 +349,14 @@ class ControllerDriver(ArmRig):
 
     def look_at_arm(self, answers: Mapping[int, float]) -> None:
         """Answer the reference check."""
-        self.controller.reference.look(())
+        self.controller.reference.note_elsewhere(())
         for joint, off_deg in answers.items():
             self.controller.reference.answer(joint, off_deg)
 
     def look_for_room(self, amplitude_deg: float) -> None:
         """Wait until the inspection knows it."""
         inspection = self.controller.inspection
-        inspection.look(amplitude_deg)
+        inspection.set_amplitude(amplitude_deg)
         self.run_until(lambda: inspection.plan is not None)
 
     def check_in_threads(self) -> None:

@@ -350,7 +350,7 @@ def test_what_tells_of_the_program(live_driver, monkeypatch, tmp_path, name):
         dialog = app_driver.dialog(ProblemReportDialog if name == "report" else AboutDialog)
         if isinstance(dialog, ProblemReportDialog):
             dialog._under_way.end()  # what it says is no matter, and takes a busy computer long
-            dialog._told.emit(dialog._number, [])
+            dialog._answered.emit(dialog._number, [])
         app_driver.wait(lambda: dialog.list.count() > 3)
         if isinstance(dialog, ProblemReportDialog):
             app_driver.wait(lambda: app_driver.controller.sessions.ring().frames > 0)
@@ -378,7 +378,7 @@ def test_session_recordings(live_driver, monkeypatch, tmp_path):
         window.recording.record_button.click()
         app_driver.run(1.0)
         app_driver.wait(lambda: (sessions.progress() or window) and sessions.progress().frames > 0)
-        window._look()
+        window._refresh_cards()
         window.recording.record_button.click()
         app_driver.wait(lambda: "session_ended" in app_driver.codes())
         window.ring.save_button.click()
@@ -430,14 +430,14 @@ def test_the_bus_monitor(app_driver, monkeypatch):
         app_driver.click("bus_button")
         window = app_driver.page(BusPage)
         app_driver.run(0.3)
-        window.look()
+        window.refresh()
         window.tree.expandAll()
         window.filter_bar.in_order.click()
         app_driver.hold_button(window.send_box.unlock)
         window.send_box.take(0x155, bytes(8))
         app_driver.hold_button(window.send_box.hold)
         app_driver.run(0.3)
-        window.look()
+        window.refresh()
         window.grab()
         window.close()
     assert forbidden(seen) == []

@@ -27,11 +27,11 @@ class Changes:
         self.begun = []
         self.went = 0
         self.ended = 0
-        self.tell = None
+        self.on_answer = None
 
-    def __call__(self, words, tell, command):
+    def __call__(self, words, on_answer, command):
         self.begun.append(tuple(words))
-        self.tell = tell
+        self.on_answer = on_answer
         return self
 
     def go(self):
@@ -92,7 +92,7 @@ def test_an_arm_that_sets_off_while_the_password_is_asked_for_is_not_cut_off(
     line.choose(remedy(on_can0, ("reset", "can0")))
     assert len(changes.begun) == 1
     set_moving(on_can0)
-    changes.tell(Planned())
+    changes.on_answer(Planned())
     qapp.processEvents()
     assert (changes.went, changes.ended) == (0, 1)
     assert "goes on with what it was told last" in line.text()
@@ -109,10 +109,10 @@ def test_a_stop_that_is_not_confirmed_keeps_its_adapter(on_can0, line, changes):
 
 def test_at_rest_and_where_the_bus_is_dead_it_may_be_reset(qapp, on_can0, line, changes):
     line.choose(remedy(on_can0, ("reset", "can0")))
-    changes.tell(Planned())
+    changes.on_answer(Planned())
     qapp.processEvents()
     assert changes.went == 1
-    changes.tell(Done({"up": True}))
+    changes.on_answer(Done({"up": True}))
     qapp.processEvents()
     set_moving(on_can0)
     on_can0.powered = False  # nothing is heard any more: only the reset leads back to it
@@ -131,8 +131,8 @@ def test_a_stop_goes_out_while_the_helper_hangs(qtbot, tmp_path, on_can0, says):
     hung.chmod(0o755)
     begun = []
 
-    def begin(words, tell, _command):
-        begun.append(AdapterChange(words, tell, [str(hung)]))
+    def begin(words, on_answer, _command):
+        begun.append(AdapterChange(words, on_answer, [str(hung)]))
         return begun[-1]
 
     line = AdapterLine(on_can0.controller, begin, not_listening, lambda: True)

@@ -44,9 +44,9 @@ class Spy:
         self.told.append(tuple(joints_deg))
         self.hand.lead_to(joints_deg, speed_deg_s)
 
-    def let_go(self):
+    def release(self):
         self.told.append(None)
-        self.hand.let_go()
+        self.hand.release()
 
 
 class Teacher(Hand):
@@ -194,7 +194,7 @@ def test_a_late_picture_leads_nothing(teacher, monkeypatch):
     teacher.record()
     grip = teacher.grip(GripKind.JOINT, 1)
     at = teacher.place_on(grip)
-    monkeypatch.setattr(PictureClient, "looks_old", True)
+    monkeypatch.setattr(PictureClient, "is_stale", True)
     teacher.press(at)
     teacher.move((at[0] + 20.0, at[1] + 20.0))
     teacher.release((at[0] + 20.0, at[1] + 20.0))
@@ -234,5 +234,5 @@ def test_the_hand_reaches_the_arm_in_its_process():
             bus.send(can.Message(arbitration_id=identifier, data=data, is_extended_id=False))
         arms.hand.lead_to((20.0, 0.0, 0.0, 0.0, 0.0, 0.0), 60.0)
         assert turned_to(bus, 20.0)
-        arms.hand.let_go()
+        arms.hand.release()
         assert turned_to(bus, 20.0)

@@ -7,7 +7,7 @@ from typing import Any
 import can
 import pytest
 
-from armui.arm.parameters import Batch, Group, Parameter, heard
+from armui.arm.parameters import Batch, Group, Parameter, reading_of
 from armui.control.link.link_state import LinkState
 from armui.control.parameters.setting_cell import CellState
 from armui.control.parameters.setting_checks import SETTING_UNKNOWN
@@ -55,7 +55,7 @@ def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
     rig.run_until(lambda: None not in rig.controller.state.limits, 3.0)
     assert now(rig.controller.operating_state.generation) is second
     # what the first arm held is not shown, and stands in no frame to the second
-    assert heard(rig.controller.state, LINEAR_SPEED) is None
+    assert reading_of(rig.controller.state, LINEAR_SPEED) is None
     assert rig.controller.settings.cell(LINEAR_SPEED).state is CellState.UNREAD
     ear = HardOfHearing(rig.firmware)
     assert rig.controller.settings.save({LINEAR_SPEED: 0.25}).reason == SETTING_UNKNOWN
@@ -63,11 +63,11 @@ def test_another_arm_on_the_same_adapter_is_asked_anew(qapp, request, first):
     assert all(frame.arbitration_id != 0x479 for frame in ear.heard)
     rig.controller.settings.read([END])
     settled(rig)
-    before = heard(rig.controller.state, ANGULAR_SPEED).value
+    before = reading_of(rig.controller.state, ANGULAR_SPEED).value
     accepted(rig.controller.settings.save({LINEAR_SPEED: 0.25}))
     settled(rig)
-    assert heard(rig.controller.state, LINEAR_SPEED).value == 0.25
-    assert heard(rig.controller.state, ANGULAR_SPEED).value == before == 1.0
+    assert reading_of(rig.controller.state, LINEAR_SPEED).value == 0.25
+    assert reading_of(rig.controller.state, ANGULAR_SPEED).value == before == 1.0
     rig.close()
 
 

@@ -100,7 +100,7 @@ def test_every_value_of_every_byte_is_taken_in_live(generation, caplog):
     ear.look()
 
     assert ear.processor.state.frames == count > 100_000
-    assert ear.processor.notifier._told == list(ear.listeners)  # nobody has failed
+    assert ear.processor.notifier._active == list(ear.listeners)  # nobody has failed
     assert [record for record in caplog.records if record.levelno >= logging.ERROR] == []
 
 
@@ -219,7 +219,7 @@ def test_every_value_of_every_byte_is_replayed(tmp_path, generation, caplog):
         player.go_to(session.start_s - 1.0)
         player.play_to(session.end_s + 1.0, speed)
         assert player.player.played == len(told), speed
-        assert player.player.processor.notifier._told, speed
+        assert player.player.processor.notifier._active, speed
         assert player.player.step() is None, speed
         for share in (0.3, 0.7, 1.0):
             player.go_to(session.start_s + share * (session.end_s - session.start_s))

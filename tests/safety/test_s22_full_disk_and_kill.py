@@ -65,13 +65,13 @@ def test_a_session_on_a_disk_that_becomes_full(sessions_on, small_disk):
     until_s = driver.time_s + 60.0
     while "session_failed" not in driver.codes():
         driver.run(0.5)
-        sessions.recorder.look()
+        sessions.recorder.poll()
         assert driver.time_s < until_s
     told = next(event for event in driver.events if event.code == "session_failed")
     assert told.params["reason"].code == "session_disk_full"
     assert not sessions.recorder.recording
     sessions.until(lambda: len(sessions.names()) == 1)
-    sessions.window._look()
+    sessions.window._refresh_cards()
     sessions.until(lambda: sessions.column(SessionColumn.STATE) != ["under way"])
     # what was written is there, and is told not to be all
     (state,) = sessions.column(SessionColumn.STATE)

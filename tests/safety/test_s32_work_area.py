@@ -244,7 +244,7 @@ def test_another_host_that_enters_is_told_at_once_and_stopped_if_wanted(rig, oth
     (entered,) = [each for each in rig.events if each.code == "area_entered"]
     assert entered.params["name"] == "wall"
     assert 1 <= entered.params["value"] < 12
-    assert rig.controller.area_guard.look(rig.controller.state)[0].gap_mm > 0.0
+    assert rig.controller.area_guard.nearest_entries(rig.controller.state)[0].gap_mm > 0.0
     assert "too near to “wall”" in words.event(entered), "it is not inside"
     rig.run(4.0)
     assert (abs(rig.firmware.joints_deg[1] - beyond[1]) < 0.1) is not stops

@@ -495,7 +495,7 @@ def test_the_joint_in_doubt_is_driven_by_nothing_during_the_check(lost):
     accepted(reference.begin())
     lost.heard()
     assert reference.drive(6).reason == LOOK_FIRST
-    reference.look((2,))
+    reference.note_elsewhere((2,))
     for joint in (2, 5):
         refusal = reference.drive(joint)
         assert (refusal.reason, refusal.params) == (BROUGHT_BY_HAND, {"joint": joint})
@@ -529,7 +529,7 @@ def test_the_check_drives_slowly_after_a_pause_too(lost):
     controller, reference = lost.controller, lost.controller.reference
     controller.motion.set_speed_percent(60)
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     lost.run(0.1)
     accepted(reference.drive(1))
     lost.run(0.2)
@@ -545,7 +545,7 @@ def test_the_check_drives_slowly_after_a_pause_too(lost):
 def test_a_check_that_finds_it_off_keeps_the_doubt_and_one_after_the_reset_ends_it(lost):
     controller, reference = lost.controller, lost.controller.reference
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     assert controller.begin("reference.finish").reason == JOINTS_UNANSWERED
     for joint in (1, 2, 3, 4, 6):
         reference.answer(joint, 0.0)
@@ -564,7 +564,7 @@ def test_the_hand_brings_it_to_its_mark_and_the_report_tells_the_error(lost):
     """Its motor is off; turned by 40° to its mark it reports 60°."""
     controller, reference, firmware = lost.controller, lost.controller.reference, lost.firmware
     accepted(reference.begin())
-    reference.look(())
+    reference.note_elsewhere(())
     accepted(controller.motors.disable(5))
     lost.run(1.0)
     here = firmware.mechanics.positions_deg

@@ -154,7 +154,7 @@ class Driver:
         )
         context = MotionContext(
             connection=self.bus,  # type: ignore[arg-type] # stands in for it
-            tell=lambda *_, **__: None,
+            emit_event=lambda *_, **__: None,
             clock=lambda: self.now_s,
             state=self.state,
             operating_state=lambda: state,

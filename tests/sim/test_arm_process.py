@@ -101,7 +101,7 @@ def test_the_hand_leads_it_and_lets_go(desk):
     desk.run(0.5)
     # the joint with the longest way turns at 30°/s
     assert desk.arm.firmware.joints_deg == pytest.approx([angle / 2 for angle in SIX], abs=0.7)
-    desk.hand.let_go()
+    desk.hand.release()
     desk.run(0.02)
     rested = desk.arm.firmware.joints_deg
     desk.run(0.5)
@@ -131,7 +131,7 @@ def test_a_hand_that_is_not_felt_lets_go_and_holds_nobody_up(desk):
         if desk.hand_line.fileno() < 0:
             break
     assert desk.hand_line.fileno() < 0
-    desk.hand.let_go()
+    desk.hand.release()
     for _ in range(10):
         desk.run(0.5)
     rested = desk.arm.firmware.joints_deg

@@ -183,7 +183,7 @@ def test_a_hand_moves_no_arm_that_holds_its_joints_and_none_beyond_its_stops() -
     arm.hand_guiding.push((0.0, -10.0, 0, 0, 0, 100.0))
     arm.step(2.0)
     assert now(arm.joints_deg) == (0, 0, 0, 0, 0, 120.0)
-    arm.hand_guiding.let_go()
+    arm.hand_guiding.release()
     arm.step(1.0)
     assert arm.joints_deg == (0, 0, 0, 0, 0, 120.0)
 

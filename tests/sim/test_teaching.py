@@ -45,7 +45,7 @@ def taught(generation: Generation = TWO, **arm_type: Any) -> Firmware:
     arm.step(1.5)
     arm.hand_guiding.lead_to(HOME, speed_deg_s=20.0)
     arm.step(1.0)
-    arm.hand_guiding.let_go()
+    arm.hand_guiding.release()
     tell(arm, END)
     return arm
 

@@ -324,4 +324,4 @@ def test_a_text_remembers_its_sentence():
         )
     )
     assert told == "row 3 cannot be read: as asked for"
-    assert told.said(translation("zh", "CommandLine")) == "第 3 行无法读取：按要求"
+    assert told.translated(translation("zh", "CommandLine")) == "第 3 行无法读取：按要求"

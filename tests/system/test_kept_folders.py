@@ -6,7 +6,7 @@ import pytest
 
 from armui.doctor.facts import ProgramFacts
 from armui.doctor.judge import judge_program
-from armui.doctor.probes.program import look_at_program
+from armui.doctor.probes.program import probe_program
 from armui.system import kept_folders, paths
 from armui.system.kept_folders import ClosedFolder, closed_folders
 
@@ -50,7 +50,7 @@ def test_the_doctor_names_them_once_with_the_command(places, monkeypatch):
         raise PermissionError(13, "Permission denied")
 
     monkeypatch.setattr(kept_folders, "open_file", refused)
-    facts = look_at_program()
+    facts = probe_program()
     assert len(facts.closed) == 4
     (found,) = [each for each in judge_program(facts) if each.code == "folders_closed"]
     for folder in ("config", "data/trajectories", "data/sessions", "data/logs"):
@@ -68,7 +68,7 @@ def test_chown_is_offered_only_where_it_helps():
 
 def test_the_window_says_it_once(app_driver, places, qtbot):
     (places / "data").write_text("no folder")
-    app_driver.program.look_at_folders()
+    app_driver.program.check_folders()
     qtbot.waitUntil(lambda: "folders_closed" in app_driver.codes())
     (told,) = [each for each in app_driver.events if each.code == "folders_closed"]
     assert told.params["folders"].startswith(str(places / "data/trajectories"))
@@ -78,6 +78,6 @@ def test_the_window_says_it_once(app_driver, places, qtbot):
 
 
 def test_the_window_says_nothing_of_folders_that_are_open(app_driver, places):
-    app_driver.program.look_at_folders()
+    app_driver.program.check_folders()
     app_driver.run(0.3)
     assert "folders_closed" not in app_driver.codes()

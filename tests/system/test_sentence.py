@@ -19,7 +19,7 @@ from tests.translations import KEPT, KINDS, ROOT, SENTENCES, Constant, constants
 
 RAISERS = {"broken", "SceneError"}
 """They take a sentence and its figures."""
-TELLERS = {"tell", "_tell", "close", "_close", "report", "_report"}
+EMITTERS = {"emit_event", "_emit_event", "close", "_close", "report", "_report"}
 """They take a notice among other things, and its figures by name."""
 HELPS_A_FIGURE = {"joint", "parameter", "unit"}
 """Not in the sentence itself: a parameter's name says its joint, its kind says the unit."""
@@ -81,7 +81,7 @@ def raised(path: Path, tree: ast.Module) -> Iterator[tuple[Constant, ast.Call]]:
             case ast.Call(func=ast.Name(id=how), args=[what, *_]) if how in RAISERS:
                 said = [what]
             case ast.Call(func=ast.Attribute(attr=how) | ast.Name(id=how), args=told) if (
-                how in TELLERS
+                how in EMITTERS
             ):
                 said = told
             case ast.Call(func=what):

@@ -81,8 +81,8 @@ class FakeController(QObject):
 
     mark = ArmMark()
 
-    def tell_withdrawn(self, question: str, reason: Refusal) -> None:
-        self.calls.append(("tell_withdrawn", question, reason.code))
+    def report_withdrawn(self, question: str, reason: Refusal) -> None:
+        self.calls.append(("report_withdrawn", question, reason.code))
 
     # what a test makes it show
 
@@ -238,7 +238,7 @@ class FakeAreaGuard:
 
     area = None
 
-    def look(self, _state: ArmState) -> tuple[object, ...]:
+    def nearest_entries(self, _state: ArmState) -> tuple[object, ...]:
         return ()
 
     def below(self) -> str:
@@ -443,7 +443,7 @@ class FakeGripper:
         return gripper.travel
 
     @property
-    def tells_angle(self) -> bool:
+    def reports_angle(self) -> bool:
         return False
 
     def why_no_angle(self) -> Refusal | None:

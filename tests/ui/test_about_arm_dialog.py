@@ -34,7 +34,7 @@ CAN0 = Device("socketcan", "can0", None)
 @pytest.fixture
 def links(monkeypatch) -> list[LinkFacts]:
     known = [LinkFacts("can0", "can", True, "ERROR-ACTIVE", 1_000_000, serial="0031002F")]
-    monkeypatch.setattr(about_arm, "look_at_links", lambda: tuple(known))
+    monkeypatch.setattr(about_arm, "probe_links", lambda: tuple(known))
     return known
 
 

@@ -40,11 +40,11 @@ class Changes:
     def __init__(self):
         self.begun = []
         self.went = self.ended = 0
-        self.tell = None
+        self.on_answer = None
 
-    def __call__(self, words, tell, command):
+    def __call__(self, words, on_answer, command):
         self.begun.append((tuple(words), command))
-        self.tell = tell
+        self.on_answer = on_answer
         return self
 
     def go(self):
@@ -59,12 +59,12 @@ class Examinations:
 
     def __init__(self):
         self.arguments = []
-        self.tell = None
+        self.on_answer = None
         self.ended = 0
 
-    def __call__(self, arguments, tell):
+    def __call__(self, arguments, on_answer):
         self.arguments.append(list(arguments))
-        self.tell = tell
+        self.on_answer = on_answer
         return self
 
     def end(self):
@@ -94,7 +94,7 @@ def line(qtbot, controller, changes, examinations):
 
 
 def told(changes, answer):
-    changes.tell(answer)
+    changes.on_answer(answer)
     QCoreApplication.processEvents()
 
 
@@ -132,13 +132,13 @@ def test_success_is_what_is_heard(qtbot, line, changes, examinations):
     assert changes.went == 1
     told(changes, Done({"up": True, "bitrate": 1_000_000}))
     assert examinations.arguments == [["--interface", "socketcan", "--channel", "can0"]]
-    examinations.tell([NOTHING])
+    examinations.on_answer([NOTHING])
     QCoreApplication.processEvents()
     assert "not one frame" in line.text()
     line.choose(("reset", "can0"))
     told(changes, Planned())
     told(changes, Done({"up": True}))
-    examinations.tell([HEARD])
+    examinations.on_answer([HEARD])
     QCoreApplication.processEvents()
     assert "3000 frames/s" in line.text()
 
@@ -256,7 +256,7 @@ def test_in_the_diagnosis_all_is_looked_at_again(qtbot, controller, line, change
     dialog = DoctorDialog(controller.as_real, None, examinations, line)
     qtbot.addWidget(dialog)
     dialog.open()
-    examinations.tell(judge_can(DOWN))
+    examinations.on_answer(judge_can(DOWN))
     qtbot.waitUntil(lambda: dialog.findChild(QPushButton, "adapter_remedy") is not None)
     qtbot.mouseClick(dialog.findChild(QPushButton, "adapter_remedy"), LEFT)
     told(changes, Planned())
@@ -265,7 +265,7 @@ def test_in_the_diagnosis_all_is_looked_at_again(qtbot, controller, line, change
     assert examinations.arguments == [[], []]
     assert "listening" in line.text()
     elsewhere = NOTHING_HEARD(device="socketcan can1", seconds="2.0")
-    examinations.tell([elsewhere, ARM(device="socketcan can0", generation="2", rate="3000")])
+    examinations.on_answer([elsewhere, ARM(device="socketcan can0", generation="2", rate="3000")])
     qtbot.waitUntil(lambda: "3000 frames/s" in line.text())
     dialog.close()
 
@@ -276,7 +276,7 @@ def test_the_line_listens_where_the_diagnosis_does_not(
     dialog = DoctorDialog(controller.as_real, None, examinations, line)
     qtbot.addWidget(dialog)
     dialog.open()
-    examinations.tell(judge_can(DOWN))
+    examinations.on_answer(judge_can(DOWN))
     controller.be(operating_state(device=Device("socketcan", "can1", None)))
     line.choose(("up", "can0", "1000000"))
     told(changes, Planned())

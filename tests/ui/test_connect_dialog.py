@@ -262,7 +262,7 @@ def test_advice_on_an_adapter_is_not_cut_off(qtbot: QtBot, controller: FakeContr
     dialog = ConnectDialog(controller.as_real, background=Background(AtOnce()))
     trouble = dialog.findChild(AdapterTrouble)
     down = LinkFacts("can0", "can", False)
-    trouble._look = lambda: judge_can(CanFacts(links=(down,)))
+    trouble._find_faults = lambda: judge_can(CanFacts(links=(down,)))
     shown(qtbot, dialog)
     controller.devices_found.emit(FOUND)
     trouble.examine()

@@ -33,11 +33,11 @@ class Examinations:
     def __init__(self) -> None:
         self.arguments: list[list[str]] = []
         self.ended = 0
-        self.tell: Any = None
+        self.on_answer: Any = None
 
-    def __call__(self, arguments, tell):
+    def __call__(self, arguments, on_answer):
         self.arguments.append(list(arguments))
-        self.tell = tell
+        self.on_answer = on_answer
         return self
 
     def end(self) -> None:
@@ -59,7 +59,7 @@ def dialog(qtbot: QtBot, controller: FakeController, examinations: Examinations)
 
 
 def answer(qtbot: QtBot, dialog: DoctorDialog, examinations: Examinations, findings) -> None:
-    examinations.tell(findings)
+    examinations.on_answer(findings)
     qtbot.waitUntil(lambda: not dialog.findChild(QProgressBar).isVisible())
 
 
@@ -121,7 +121,7 @@ def test_again(qtbot, dialog, examinations):
 
 
 def test_closing_ends_the_examination_and_what_it_says_later(qtbot, dialog, examinations):
-    late = examinations.tell
+    late = examinations.on_answer
     dialog.close()
     assert examinations.ended == 1
     late([DOWN])

@@ -46,11 +46,11 @@ class Exports:
     def __init__(self) -> None:
         self.requests: list[ExportRequest] = []
         self.cancelled = 0
-        self.tell: Any = None
+        self.on_answer: Any = None
 
-    def __call__(self, request, tell):
+    def __call__(self, request, on_answer):
         self.requests.append(request)
-        self.tell = tell
+        self.on_answer = on_answer
         return self
 
     def end(self) -> None:
@@ -139,10 +139,10 @@ def test_progress_and_the_end_are_shown(qtbot, dialog, exports):
     press_export(dialog)
     assert not dialog.form.isEnabled()
     assert not dialog.export_button.isEnabled()
-    exports.tell(ExportProgress(0.25, 1000))
+    exports.on_answer(ExportProgress(0.25, 1000))
     qtbot.waitUntil(lambda: dialog.progress.value() == 250)
     assert message(dialog) == "Exporting… 1,000 frames read"
-    exports.tell(ExportDone(report=REPORT))
+    exports.on_answer(ExportDone(report=REPORT))
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.mcap')} (1,234 messages)"
     assert remarks(dialog) == "5,678 frames read as generation 2, PiPER."
@@ -159,7 +159,7 @@ def test_damage_other_channels_and_foreign_frames_are_said(qtbot, dialog, export
         "damage_count": 3, "damages": [["line 7", "'x'", 6, False]], "other_channels": ["can1"],
         "of_other_channels": 50, "not_understood": 4, "notes": [asdict(LOG_NO_TIMES())],
     }  # fmt: skip
-    exports.tell(ExportDone(report={**REPORT, **more}))
+    exports.on_answer(ExportDone(report={**REPORT, **more}))
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog) == f"Saved: {Path('/records/run.csv')} (1,234 rows)"
     assert remarks(dialog).split("\n") == [
@@ -174,7 +174,7 @@ def test_damage_other_channels_and_foreign_frames_are_said(qtbot, dialog, export
 def test_every_problem_has_words(qtbot, dialog, exports, problem):
     dialog.show_log(LOG)
     press_export(dialog)
-    exports.tell(ExportDone(problem, "why"))
+    exports.on_answer(ExportDone(problem, "why"))
     qtbot.waitUntil(dialog.export_button.isEnabled)
     assert message(dialog)
     assert "{" not in message(dialog)
@@ -186,7 +186,7 @@ def test_a_file_that_is_there_is_replaced_only_when_the_operator_says_so(
 ):
     dialog.show_log(LOG)
     press_export(dialog)
-    exports.tell(ExportDone(ExportProblem.EXISTS, "/records/run.mcap"))
+    exports.on_answer(ExportDone(ExportProblem.EXISTS, "/records/run.mcap"))
     qtbot.waitUntil(lambda: dialog.findChild(ConfirmDialog) is not None)
     question = dialog.findChild(ConfirmDialog)
     assert str(Path("/records/run.mcap")) in question.text()
@@ -207,7 +207,7 @@ def test_cancelled_by_button_close_and_escape(qtbot, dialog, exports, way):
     else:
         QTest.keyClick(dialog, Qt.Key.Key_Escape)
     assert exports.cancelled == 1
-    exports.tell(ExportDone(report=REPORT))
+    exports.on_answer(ExportDone(report=REPORT))
     qtbot.wait(20)
     assert message(dialog) == "The export was cancelled; nothing was written."
     assert dialog.export_button.isEnabled()

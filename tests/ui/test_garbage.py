@@ -47,7 +47,7 @@ def test_no_other_thread_searches(search):
     other.start()
     other.join()
     assert not ended
-    search.look()
+    search.collect()
     assert ended == [threading.main_thread()] * 1000
 
 
@@ -107,10 +107,10 @@ def test_what_has_become_old_is_found_within_a_minute(search, monkeypatch):
     for _ in range(2):
         gc.collect(1)  # they survive, and are old
     del remains
-    search.look()
+    search.collect()
     assert not ended
     monkeypatch.setattr(garbage, "_LOOKS", 2)
-    search.look()
+    search.collect()
     assert len(ended) == 1
 
 

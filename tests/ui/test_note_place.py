@@ -58,7 +58,7 @@ def test_a_note_makes_way_for_an_arm_that_comes(qtbot, monkeypatch):
     view.resize(660, 650)
     note.stand_over(region, view)
     region.show()
-    note.say("The target is out of the arm's reach.", Level.WARNING, stays=True)
+    note.show_message("The target is out of the arm's reach.", Level.WARNING, stays=True)
     bottom = note.geometry()
     assert bottom.bottom() > 600
     around = Box(bottom.left(), bottom.top(), bottom.right(), bottom.bottom())
@@ -67,5 +67,5 @@ def test_a_note_makes_way_for_an_arm_that_comes(qtbot, monkeypatch):
     region.resize(500, 400)
     view.resize(500, 400)
     assert region.rect().contains(note.geometry())
-    note.say("")
-    assert not note._look.isActive(), "what is not seen does no work"
+    note.show_message("")
+    assert not note._place_timer.isActive(), "what is not seen does no work"

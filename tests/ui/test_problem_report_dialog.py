@@ -38,7 +38,7 @@ def make(qtbot, controller, examinations, tmp_path):
         )
         qtbot.addWidget(dialog)
         dialog.open()
-        examinations.tell([FINE])
+        examinations.on_answer([FINE])
         return dialog
 
     return made
@@ -128,7 +128,7 @@ def test_a_doctor_that_fails_is_part_of_the_report(qtbot, controller, tmp_path, 
     )
     qtbot.addWidget(dialog)
     dialog.open()
-    examinations.tell("no answer within 180 s")
+    examinations.on_answer("no answer within 180 s")
     qtbot.waitUntil(dialog.save_button.isEnabled)
     dialog.list.setCurrentRow(names(dialog).index("doctor.txt"))
     assert dialog.text.toPlainText() == "no answer within 180 s\n"

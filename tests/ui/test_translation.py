@@ -18,7 +18,7 @@ from armui.session.frames import Damage
 from armui.system.files import error_text
 from armui.system.sentence import Told
 from armui.ui.translation import TranslationMissingError, Translator
-from armui.ui.words.text import sentence, told
+from armui.ui.words.text import localized, sentence
 from tests.moments import now
 from tests.translations import NAMES, TS, lupdate, modules, names
 
@@ -225,4 +225,4 @@ def test_a_sentence_says_a_text_of_the_system_in_its_language(translator):
     assert sentence("Refusal", "{text}", {"text": missing}) == "No such file or directory"
     translator.set_language("zh")
     assert sentence("Refusal", "{text}", {"text": missing}) == "文件或文件夹不存在"
-    assert told(Damage(Told("line {line}", line=3), "'x'", 0).told()) == "第 3 行无法读取：'x'"
+    assert localized(Damage(Told("line {line}", line=3), "'x'", 0).text()) == "第 3 行无法读取：'x'"

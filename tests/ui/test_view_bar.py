@@ -83,7 +83,7 @@ def export(controller, view, qtbot):
     qtbot.addWidget(window)
     export = PictureExport(controller, view, Background(AtOnce()), window)
     said = []
-    export.said.connect(lambda text, level: said.append((text, level)))
+    export.message_changed.connect(lambda text, level: said.append((text, level)))
     return SimpleNamespace(export=export, said=said)
 
 
@@ -116,10 +116,10 @@ def test_a_picture_that_cannot_be_written_is_said(export, tmp_path):
 def test_a_note_goes_away_by_itself_and_one_that_stays_does_not(qtbot):
     note = PictureNote()
     qtbot.addWidget(note)
-    note.say("Saved", Level.DONE)
+    note.show_message("Saved", Level.DONE)
     assert note.isVisible()
     assert note._end.isActive()
-    note.say("Out of reach", Level.WARNING, stays=True)
+    note.show_message("Out of reach", Level.WARNING, stays=True)
     assert not note._end.isActive()
-    note.say("")
+    note.show_message("")
     assert not note.isVisible()

@@ -126,7 +126,7 @@ def test_a_question_is_not_asked_again_of_the_next_process(view, losses, qtbot):
 def test_a_process_that_stands_still_looks_old_at_once_and_is_replaced(view, losses, moving):
     pid = view._client.pid
     stand_still(pid)
-    wait_until(lambda: view._client.looks_old)
+    wait_until(lambda: view._client.is_stale)
     assert not losses
     assert view._notice() == "Picture delayed"
     wait_until(lambda: losses)
@@ -148,9 +148,9 @@ def darkest(view):
 
 def test_an_old_picture_is_faded(view):
     fresh = darkest(view)
-    view._client._looks_old = True
+    view._client._is_stale = True
     old = darkest(view)
-    view._client._looks_old = False
+    view._client._is_stale = False
     assert fresh < 150 < old
 
 
@@ -167,7 +167,7 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
 
     starving.timeout.connect(turn)
     starving.start()
-    wait_until(lambda: view._client.looks_old)
+    wait_until(lambda: view._client.is_stale)
     shown = view._picture.frame.drawn.sequence
     wait_until(lambda: view._picture.frame.drawn.sequence > shown + 5)
     starving.stop()
@@ -176,7 +176,7 @@ def test_a_starved_process_is_waited_for(view, losses, moving):
     wait_until(lambda: view.is_settled)
     assert view._client.pid == pid
     assert not losses
-    assert not view._client.looks_old
+    assert not view._client.is_stale
 
 
 def test_after_three_times_in_a_minute_a_button_is_offered(view, losses, qtbot):

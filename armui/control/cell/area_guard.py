@@ -95,14 +95,14 @@ class AreaGuard(ControllerPart):
         cell = self._cell()
         return None if cell is None or cell.area.is_free else cell.area
 
-    def look(self, state: ArmState) -> tuple[AreaEntry, ...]:
+    def nearest_entries(self, state: ArmState) -> tuple[AreaEntry, ...]:
         """Return what of the measured arm is nearest to each plane and box, nearest first."""
         joints_deg, check = state.angles_deg(), self.check()
         if joints_deg is None or check is None:
             return ()
         measured = (joints_deg, check)
         if measured != self._measured:  # cached: mostly the arm stands still
-            self._measured, self._seen = measured, check.look(joints_deg)
+            self._measured, self._seen = measured, check.nearest_entries(joints_deg)
         return self._seen
 
     def below(self) -> str:
@@ -115,7 +115,7 @@ class AreaGuard(ControllerPart):
         check = self.check()
         if check is None:
             return ()
-        return tuple(each for each in self.look(state) if check.is_too_near(each))
+        return tuple(each for each in self.nearest_entries(state) if check.is_too_near(each))
 
     def intrusion(self, state: ArmState) -> AreaIntrusion | None:
         """Return the worst place at which the measured arm is too near to its area, or ``None``."""
@@ -169,7 +169,7 @@ class AreaGuard(ControllerPart):
             self._follow_measured(state, check)
         runs = context.operating_state().stop is StopState.RUNNING
         if self._ran and not runs and (names := self.below()):
-            context.tell(AREA_BELOW, names=names)
+            context.emit_event(AREA_BELOW, names=names)
         self._ran = runs
 
     def _follow_measured(self, state: ArmState, check: AreaCheck | None) -> None:
@@ -180,9 +180,9 @@ class AreaGuard(ControllerPart):
         self._looked_by = check
         for name, entry in inside.items():
             if name not in self._inside:
-                context.tell(notice, name=name, part=entry.part, value=self._too_near(entry))
+                context.emit_event(notice, name=name, part=entry.part, value=self._too_near(entry))
         if self._inside and not inside:
-            context.tell(AREA_LEFT)
+            context.emit_event(AREA_LEFT)
         deeper = [
             name
             for name, entry in inside.items()

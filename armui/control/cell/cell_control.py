@@ -202,7 +202,7 @@ class CellControl(ControllerPart):
         for name, cell in cells.items():
             if isinstance(cell, Refusal):
                 self._broken[name] = cell
-                self._context.tell(CELL_PROBLEM, reason=cell)
+                self._context.emit_event(CELL_PROBLEM, reason=cell)
             else:
                 self._cells.setdefault(name, cell)
         self._take_effect()
@@ -214,9 +214,9 @@ class CellControl(ControllerPart):
             self._name = other if self._name == name else self._name
             self._take_effect()
 
-    def tell_problem(self, reason: Refusal) -> None:
+    def report_problem(self, reason: Refusal) -> None:
         """Tell the operator why a cell could not be saved or deleted."""
-        self._context.tell(CELL_PROBLEM, reason=reason)
+        self._context.emit_event(CELL_PROBLEM, reason=reason)
 
     def propose(self, frame: UserFrame | None) -> None:
         """Show a user frame as a candidate before it is taken; ``None`` shows none any more."""
@@ -273,7 +273,7 @@ class CellControl(ControllerPart):
         self._confirmed = True
         self._take_effect()
         if waits:
-            self._context.tell(CELL_STAYS, name=self._name, seconds=round(silent_s, 1))
+            self._context.emit_event(CELL_STAYS, name=self._name, seconds=round(silent_s, 1))
             self._context.refresh()
 
     # What the operator does -----------------------------------------------------------------
@@ -385,7 +385,7 @@ class CellControl(ControllerPart):
         """Take what a point of a run says of the hand; the run was checked with it."""
         if self.cell is not None and name != self.cell.held:
             self._hold(name)
-            self._context.tell(
+            self._context.emit_event(
                 HELD_NOW if name else HELD_NOTHING, **({"name": name} if name else {})
             )
 
@@ -413,7 +413,7 @@ class CellControl(ControllerPart):
             self._least_mm = opening_mm
         elif not self._opened and opening_mm > self._least_mm + _OPENED_MM:
             self._opened = True
-            self._context.tell(HELD_OPENED, name=cell.held, value=round(opening_mm))
+            self._context.emit_event(HELD_OPENED, name=cell.held, value=round(opening_mm))
 
     def _follow_kept(self) -> None:
         """Take the cell that another program keeps for this adapter, unless one was chosen here."""
@@ -480,7 +480,7 @@ class CellControl(ControllerPart):
     def _done(self, started: Started, notice: Notice, name: str) -> None:
         started.close(Ending.DONE)
         figures = {"name": name} if name else {}
-        self._context.tell(notice, started, **figures)
+        self._context.emit_event(notice, started, **figures)
         self._context.refresh()
 
     def _take_effect(self) -> None:

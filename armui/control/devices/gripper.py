@@ -218,7 +218,7 @@ class GripperControl(RequestingPart[str]):
         self.by_angle = False
 
     @property
-    def tells_angle(self) -> bool:
+    def reports_angle(self) -> bool:
         """True if a gripper of generation 2 is commanded by angles now."""
         return self.by_angle and self.why_no_angle() is None
 
@@ -242,7 +242,7 @@ class GripperControl(RequestingPart[str]):
     def own_figures(self) -> Figures:
         """The ranges without the gripper's table, in the arm's own values."""
         generation, state = self._context.connection.generation, self._context.state()
-        return gripper_figures(generation, state, by_angle=self.tells_angle)
+        return gripper_figures(generation, state, by_angle=self.reports_angle)
 
     @property
     def is_calibrated(self) -> bool:
@@ -315,7 +315,7 @@ class GripperControl(RequestingPart[str]):
         Args:
             started: The record of the command.
             travel: Opening in mm (generation 2) or angle in degrees (generation 1, or while
-                `tells_angle`).
+                `reports_angle`).
             effort: Torque in N·m (generation 2) or speed in rad/s (generation 1).
             uncalibrated: True if the opening is the arm's own, without the gripper's table.
 
@@ -327,7 +327,7 @@ class GripperControl(RequestingPart[str]):
         heard = self._last_feedback()
         if refusal is not None or heard is None:
             return refusal or GRIPPER_SILENT()
-        by_angle = self.tells_angle
+        by_angle = self.reports_angle
         asked = travel if uncalibrated else self._asked(travel, figures.travel.unit)
         frames = self._hold(asked, effort, by_angle=by_angle)
         passed = self._context.gate().ask_no_way()
@@ -338,7 +338,7 @@ class GripperControl(RequestingPart[str]):
         self._commanded_s = now_s
         self._travel = _Travel(asked, heard.travel, now_s, now_s, unit, effort, started)
         told = unit if uncalibrated else self._unit_shown(unit)
-        self._context.tell(GRIPPER_SENT, started, value=travel, unit=told)
+        self._context.emit_event(GRIPPER_SENT, started, value=travel, unit=told)
         return None
 
     def why_no_end(self, *, opened: bool) -> Refusal | None:
@@ -537,7 +537,7 @@ class GripperControl(RequestingPart[str]):
         here = self._hold(heard.value.travel, travel.effort, by_angle=by_angle)
         context.connection.send(here, passed=context.gate().ask_no_way())
         value, unit = self._shown(heard.value.travel, travel.unit), self._unit_shown(travel.unit)
-        context.tell(GRIPPER_HELD, value=value, unit=unit)
+        context.emit_event(GRIPPER_HELD, value=value, unit=unit)
 
     def _drop_request(self) -> None:
         super()._drop_request()

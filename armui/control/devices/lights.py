@@ -93,5 +93,5 @@ class Lights:
         notice = SENT_LAMPS if lamp == ALL_LAMPS else SENT_LAMP
         started.close(Ending.SENT)
         told = f"#{red:02X}{green:02X}{blue:02X}"
-        self._context.tell(notice, started, joint=joint, lamp=lamp, color=told)
+        self._context.emit_event(notice, started, joint=joint, lamp=lamp, color=told)
         return None

@@ -167,7 +167,7 @@ class LinkageControl(AnsweredPart, ControllerPart):
         self._used, self._was_known = offsets.addressing, offsets.control_known
         feedback = f"0x{0x2A1 + self._used.feedback_offset:03X}"
         if not offsets.control_known:
-            self._context.tell(LINKAGE_FOUND, feedback=feedback)
+            self._context.emit_event(LINKAGE_FOUND, feedback=feedback)
             return
         command = f"0x{0x150 + self._used.control_offset:03X}"
         self._context.close(

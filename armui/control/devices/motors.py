@@ -108,7 +108,7 @@ class Motors(RequestingPart[Busy]):
     def resume(self, started: Started) -> None:
         """End the emergency stop: power is cut at once, the arm DROPS; then it must be enabled."""
         context = self._context
-        context.tell(RESUME_SENT, started)
+        context.emit_event(RESUME_SENT, started)
         self._start(
             started,
             Busy.RESUMING,
@@ -125,10 +125,10 @@ class Motors(RequestingPart[Busy]):
         joints = JOINTS if joint == ALL_JOINTS else (joint,)
         command = commands.enable_motors if on else commands.disable_motors
         if joint == ALL_JOINTS:
-            context.tell(ENABLE_SENT if on else DISABLE_SENT, started)
+            context.emit_event(ENABLE_SENT if on else DISABLE_SENT, started)
         else:
             one = ENABLE_SENT_JOINT if on else DISABLE_SENT_JOINT
-            context.tell(one, started, joint=joint)
+            context.emit_event(one, started, joint=joint)
         self._start(
             started,
             Busy.ENABLING if on else Busy.DISABLING,

@@ -83,7 +83,7 @@ class MountingControl:
             return LINK_LOST()
         context.authority.told_percent(percent)
         started.close(Ending.SENT)
-        context.tell(MOUNTING_SENT, started, mounting=int(mounting))
+        context.emit_event(MOUNTING_SENT, started, mounting=int(mounting))
         context.refresh()
         return None
 

@@ -78,7 +78,7 @@ class TeachingControl(RequestingPart[TeachingState]):
             return passed
         self._drop_request()
         figures = {"command": int(command)}
-        context.tell(TEACHING_SENT, started, **figures)
+        context.emit_event(TEACHING_SENT, started, **figures)
         frames = commands.teaching_command(context.connection.codec, command)
         request = (
             Request(context, frames, _shows(command), ends=True)

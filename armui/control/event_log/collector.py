@@ -91,12 +91,12 @@ class EventCollector(ControllerPart):
         self._followed: dict[int, Started] = {}
         self._lasting: dict[Notice, int] = {}
         self._run_point = 0
-        self._told: tuple[Event, int] | None = None
+        self._newest: tuple[Event, int] | None = None
         context.connection.add_listener(self._listener)
 
     def number_of(self, event: Event) -> int | None:
         """Return the number of the newest notice's entry; ``None`` for any other event."""
-        return self._told[1] if self._told is not None and self._told[0] is event else None
+        return self._newest[1] if self._newest is not None and self._newest[0] is event else None
 
     def on_problem(self, reason: Refusal) -> EventEntry:
         """Add an event for a problem of the program itself, and return its entry."""
@@ -137,7 +137,7 @@ class EventCollector(ControllerPart):
             if number is not None:
                 self.log.change(number, ended_s=now_s)
         if notice in self._lasting:
-            self._told = event, self._lasting[notice]
+            self._newest = event, self._lasting[notice]
             return
         repeat_key: Hashable = None
         if notice.streams:
@@ -156,7 +156,7 @@ class EventCollector(ControllerPart):
             repeat_key=repeat_key,
             lasts=notice in _LASTING,
         )
-        self._told = event, entry.number
+        self._newest = event, entry.number
         if notice in _LASTING:
             self._lasting[notice] = entry.number
         if event.started is not None:

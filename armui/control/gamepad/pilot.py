@@ -335,7 +335,7 @@ class GamepadPilot(QObject):
             self._take_away(None)
         hand = self._hands.get(info.key)
         if buttons.dead_man in up and hand is not None:
-            hand.let_go()
+            hand.release()
             if self._holder == info.key:
                 self._let_go()
         if buttons.mode and buttons.mode in down and not self._driving:

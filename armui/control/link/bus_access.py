@@ -109,7 +109,7 @@ class BusAccess:
         passed = context.gate().ask_held() if held else None
         if not connection.send([frame], _KEEP_S, passed=passed):
             return context.refuse(LINK_LOST())
-        context.tell(FRAME_SENT_BY_HAND, frame=str(frame))
+        context.emit_event(FRAME_SENT_BY_HAND, frame=str(frame))
         context.refresh()
         return None
 

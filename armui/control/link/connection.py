@@ -238,7 +238,7 @@ class Connection(QObject):
         self._worker_number = next(self._worker_numbers)
         listeners = (self.telemetry, *self._listeners)
         self._worker = self._make_worker(device, self._codec, self._worker_number, listeners)
-        self._tell_generation()
+        self._pass_on_generation()
         self._worker.reported.connect(self._on_report)
         self._worker.answered.connect(self.answered)
         self._worker.start()
@@ -379,10 +379,10 @@ class Connection(QObject):
         if self.handshake is not None and online:
             self.handshake.follow_arm(self._worker.state, now_s)
             self._codec = self.handshake.codec
-        self._tell_generation()
+        self._pass_on_generation()
         return self.newest
 
-    def _tell_generation(self) -> None:
+    def _pass_on_generation(self) -> None:
         for listener in (self.telemetry, *self._listeners):
             listener.know_generation(self.generation)
 
@@ -403,7 +403,7 @@ class Connection(QObject):
         self._online = False
         self._last_feedback_s = None
         self.offsets.listen_anew(now_s)
-        self._tell_generation()
+        self._pass_on_generation()
         worker.use_codec(self.codec)
 
     def _begin_handshake(self, worker: Worker, now_s: float) -> None:

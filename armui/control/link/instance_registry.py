@@ -100,20 +100,20 @@ class InstanceRegistry(QObject):
 
     def _watch(self, notice: Notice, key: str, what: object) -> PresenceWatch:
         name = hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()[:16]
-        tell = partial(self._counted.emit, notice, what)
-        return PresenceWatch(self._folder / f"{notice}-{name}", tell, self._look_s)
+        on_count = partial(self._counted.emit, notice, what)
+        return PresenceWatch(self._folder / f"{notice}-{name}", on_count, self._look_s)
 
     def _on_counted(self, notice: Notice, what: object, count: int | OSError) -> None:
         if isinstance(count, OSError):
             if not self._alone:
-                self._tell(NOBODY_MET, path=str(self._folder), text=error_text(count))
+                self._emit_event(NOBODY_MET, path=str(self._folder), text=error_text(count))
             self._alone = True
             return
         late = notice == CHANNEL_SHARED and what != self._device
         if count and not late:
             name = "device" if notice == CHANNEL_SHARED else "path"
-            self._tell(notice, count=count, **{name: what})
+            self._emit_event(notice, count=count, **{name: what})
 
-    def _tell(self, notice: Notice, **params: object) -> None:
+    def _emit_event(self, notice: Notice, **params: object) -> None:
         at = datetime.now().astimezone()
         self._controller.noticed.emit(Event(at, notice, params))

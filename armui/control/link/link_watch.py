@@ -16,7 +16,7 @@ from armui.telemetry.events import EventKind, Level
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.link.connection import Connection
-    from armui.control.operations.telling import Tell
+    from armui.control.operations.telling import EmitEvent
 
 FRAMES_DROPPED = Notice(
     "frames_dropped",
@@ -57,12 +57,12 @@ class LinkWatch:
 
     Args:
         connection: The way to the arm.
-        tell: Takes the events.
+        emit_event: Takes the events.
     """
 
-    def __init__(self, connection: Connection, tell: Tell) -> None:
+    def __init__(self, connection: Connection, emit_event: EmitEvent) -> None:
         self._connection = connection
-        self._tell = tell
+        self._emit_event = emit_event
         self._was_online = False
         self._answers_told = False
         self._looked_s = self._still_until_s = -math.inf
@@ -81,9 +81,9 @@ class LinkWatch:
         if online:
             self._answers_told = False
         if link is LinkState.OFFLINE and now_s - self._still_until_s < FRESH_FOR_S:
-            self._tell(OFFLINE_BUSY, value=round(1e3 * self._still_s))
+            self._emit_event(OFFLINE_BUSY, value=round(1e3 * self._still_s))
         elif link in {LinkState.ONLINE, LinkState.OFFLINE}:
-            self._tell(ONLINE if online else OFFLINE_NOTICE)
+            self._emit_event(ONLINE if online else OFFLINE_NOTICE)
 
     def follow_handshake(self, state: ArmState) -> None:
         """Tell the operator the arm's answers, once it has answered everything."""
@@ -92,7 +92,7 @@ class LinkWatch:
             return
         self._answers_told = True
         for notice, figures in reports.on_handshake(state, handshake.generation):
-            self._tell(notice, **figures)
+            self._emit_event(notice, **figures)
 
     def arm_came(self) -> None:
         """Tell the answers once more, because the arm that came may be another one."""
@@ -113,22 +113,22 @@ class DroppedFrames(ControllerPart):
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._told = 0
-        self._told_s: float | None = None
+        self._reported = 0
+        self._reported_s: float | None = None
 
     def follow_arm(self) -> None:
         """Compare the count; called regularly while a device is open."""
         dropped = self._context.connection.frames_dropped
-        if dropped <= self._told:
+        if dropped <= self._reported:
             return
         now_s = self._context.clock()
-        if self._told_s is None or now_s - self._told_s >= _EVERY_S:
-            self._context.tell(FRAMES_DROPPED, count=dropped - self._told, total=dropped)
-            self._told, self._told_s = dropped, now_s
+        if self._reported_s is None or now_s - self._reported_s >= _EVERY_S:
+            self._context.emit_event(FRAMES_DROPPED, count=dropped - self._reported, total=dropped)
+            self._reported, self._reported_s = dropped, now_s
 
     def forget_arm(self) -> None:
         """Count from 0 again, as the next device does."""
-        self._told, self._told_s = 0, None
+        self._reported, self._reported_s = 0, None
 
 
 class LateFeedback(ControllerPart):
@@ -143,7 +143,7 @@ class LateFeedback(ControllerPart):
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._seen_s = self._told_s = -math.inf
+        self._seen_s = self._reported_s = -math.inf
         self._longest_s = 0.0
 
     def follow_arm(self) -> None:
@@ -153,9 +153,9 @@ class LateFeedback(ControllerPart):
         if gap is not None and gap.at_s > self._seen_s:
             self._seen_s, self._longest_s = gap.at_s, max(self._longest_s, gap.value)
         live = device is not None and device.recorded is None
-        if live and self._longest_s > PAUSE_S and now_s - self._told_s >= _EVERY_S:
-            context.tell(FEEDBACK_LATE, value=round(1e3 * self._longest_s))
-            self._told_s, self._longest_s = now_s, 0.0
+        if live and self._longest_s > PAUSE_S and now_s - self._reported_s >= _EVERY_S:
+            context.emit_event(FEEDBACK_LATE, value=round(1e3 * self._longest_s))
+            self._reported_s, self._longest_s = now_s, 0.0
 
     def forget_arm(self) -> None:
         """Forget what was not told yet: it was of another connection."""

@@ -109,12 +109,12 @@ class ModelWatch(ControllerPart):
             return  # the arm's own feedback confirms the model
         if not (device.model_assumed and idle):
             self._before = model
-            self._context.tell(MODEL_WAS_OTHER, **names)
+            self._context.emit_event(MODEL_WAS_OTHER, **names)
             self._context.refresh()
             return
         connection.model = model
         self.forget_arm()
-        self._context.tell(MODEL_RECALLED, **names)
+        self._context.emit_event(MODEL_RECALLED, **names)
         self._context.refresh()
 
     def assume(self, model: PiperModel) -> None:
@@ -184,9 +184,9 @@ class ModelWatch(ControllerPart):
             self._warned = found
             chosen = model_data(fit.chosen).name
             if found:
-                self._context.tell(MODEL_OTHER_NOTICE, **fit.wrong.params)
+                self._context.emit_event(MODEL_OTHER_NOTICE, **fit.wrong.params)
             else:
-                self._context.tell(MODEL_NONE, chosen=chosen)
+                self._context.emit_event(MODEL_NONE, chosen=chosen)
 
 
 def _version(state: ArmState, device: Device | None) -> str | None:

@@ -307,7 +307,7 @@ class Cartesian(ControllerPart):
 
         way = (start, middle, end)
         request = self._request(started, MoveMode.MOVE_C, points[-1], self._plan_arc(points))
-        request = replace(request, frames=frames, tool_way=way, told=(SENT_ARC, {}))
+        request = replace(request, frames=frames, tool_way=way, sent_event=(SENT_ARC, {}))
         request = replace(request, agreed_mm=agreed_mm)
         return context.gate().send(request)
 
@@ -349,7 +349,7 @@ class Cartesian(ControllerPart):
 
         request = self._request(started, move_mode, target, self._plan(target, move_mode))
         way = (flange,) if move_mode is MoveMode.MOVE_L else ()
-        request = replace(request, frames=frames, tool_way=way, told=(notice, figures))
+        request = replace(request, frames=frames, tool_way=way, sent_event=(notice, figures))
         request = replace(request, agreed_mm=agreed_mm)
         return context.gate().send(request)
 

@@ -217,23 +217,23 @@ class Jogging(ControllerPart):
         self._hold = _Hold(jog, now_s, now_s, now_s, started, before=before)
         self._timer.start()
         context.refresh()
-        self._tell_begun(started, jog)
+        self._emit_begun(started, jog)
         return None
 
-    def _tell_begun(self, started: Started, jog: Jog) -> None:
-        tell = self._context.tell
+    def _emit_begun(self, started: Started, jog: Jog) -> None:
+        emit_event = self._context.emit_event
         if isinstance(jog, TargetJog):
-            tell(STREAMING, started, device=jog.device)
+            emit_event(STREAMING, started, device=jog.device)
         elif isinstance(jog, JointJog):
-            tell(JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
+            emit_event(JOGGING_JOINT, started, joint=jog.joint, sign=_sign(jog.direction))
         elif isinstance(jog, ToolJog):
             axis = axis_in(jog.frame, jog.axis)
-            tell(JOGGING_TOOL, started, axis=axis, sign=_sign(jog.direction))
+            emit_event(JOGGING_TOOL, started, axis=axis, sign=_sign(jog.direction))
         elif isinstance(jog.frame, UserFrame):
             figures = {"axes": axes_text(jog), "device": jog.device, "frame": jog.frame.name}
-            tell(DEVICE_JOGS_FRAME, started, **figures)
+            emit_event(DEVICE_JOGS_FRAME, started, **figures)
         else:
-            tell(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
+            emit_event(_STEERED[jog.frame], started, axes=axes_text(jog), device=jog.device)
 
     def steer(self, jog: SteeredJog) -> bool:
         """Continue as a device steers now, in the frame in which the jog began.

@@ -152,24 +152,24 @@ class Motion(ControllerPart):
         lower = percent < self.speed_percent
         self.speed_percent = percent
         self._lower_speed.drop()
-        tellable = operating_state.control_certain and not operating_state.jogging
-        tellable &= (
+        sendable = operating_state.control_certain and not operating_state.jogging
+        sendable &= (
             interlocks.why_no_command(operating_state.unreachable, operating_state.stop, None)
             is None
         )
         started.close(Ending.SENT)
-        if tellable and self.tell_speed():
-            context.tell(SENT_SPEED, started, percent=context.authority.arm_percent)
+        if sendable and self.send_speed():
+            context.emit_event(SENT_SPEED, started, percent=context.authority.arm_percent)
             if lower and context.authority.may_be_ours:
                 self._lower_speed.schedule()
         elif context.authority.holds:
-            context.tell(SPEED_WAITS, started, percent=self.speed_percent)
+            context.emit_event(SPEED_WAITS, started, percent=self.speed_percent)
         context.refresh()
         return None
 
-    def tell_speed(self) -> bool:
+    def send_speed(self) -> bool:
         """Send the speed in the arm's present mode; return false if that is impossible now."""
-        return self._context.tell_percent(self.speed_percent)
+        return self._context.send_percent(self.speed_percent)
 
     @operation("motion.step", "Move a joint by a step", why_not_move, moves=True)
     def jog(
@@ -271,7 +271,7 @@ class Motion(ControllerPart):
             lambda: self.speed_percent,
             most_percent=COME_INSIDE_PERCENT,
             why_not=why_not_move,
-            told=(COMES_INSIDE, reports.numbered(target_deg)),
+            sent_event=(COMES_INSIDE, reports.numbered(target_deg)),
         )
         return self._context.gate().send(replace(request, sent=on_sent))
 
@@ -309,7 +309,7 @@ class Motion(ControllerPart):
             angles_deg,
             lambda: self.speed_percent,
             why_not=why_not_move,
-            told=(notice, figures),
+            sent_event=(notice, figures),
         )
         return context.gate().send(replace(request, agreed_mm=agreed_mm))
 
@@ -319,7 +319,7 @@ class Motion(ControllerPart):
         A lower speed that could not be sent, as while the arm was not heard, does not wait for the
         end of the motion. One that was sent during a motion is sent once more.
         """
-        self._tell_lower_speed_again()
+        self._resend_lower_speed()
         self._go_on_inside()
         context = self._context
         authority = context.authority
@@ -339,14 +339,14 @@ class Motion(ControllerPart):
             )
             is None
         ):
-            self.tell_speed()
+            self.send_speed()
 
-    def _tell_lower_speed_again(self) -> None:
+    def _resend_lower_speed(self) -> None:
         if not self._lower_speed.take_due():
             return
         now = self._context.operating_state()
         if self._context.authority.may_be_ours and not (now.running or now.jogging):
-            self.tell_speed()
+            self.send_speed()
 
     def halt(self) -> None:
         """Do not repeat a lower speed: nothing may follow the frame that ends the motion."""

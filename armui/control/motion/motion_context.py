@@ -20,7 +20,7 @@ class MotionContext(Context):
 
     gate: Callable[[], Gate]
 
-    def tell_percent(self, percent: int) -> bool:
+    def send_percent(self, percent: int) -> bool:
         """Send another speed percentage in the arm's present mode; return false if impossible.
 
         It changes how fast the arm goes on a way that was passed, and no way.

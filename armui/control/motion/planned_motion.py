@@ -107,7 +107,7 @@ class PlannedMotion(ControllerPart):
         context: The context that the controller's parts share.
         end_all: Ends a run, replay or jog that is under way.
         end_gripper: Ends a motion of the gripper, behind the frames that end the arm's.
-        tell_speed: Sends the operator's speed percentage; returns false if it cannot.
+        send_speed: Sends the operator's speed percentage; returns false if it cannot.
     """
 
     def __init__(
@@ -115,11 +115,11 @@ class PlannedMotion(ControllerPart):
         context: MotionContext,
         end_all: Callable[[], None],
         end_gripper: Callable[[], None],
-        tell_speed: Callable[[], bool],
+        send_speed: Callable[[], bool],
     ) -> None:
         self._context = context
         self._end_all, self._end_gripper = end_all, end_gripper
-        self._tell_speed = tell_speed
+        self._send_speed = send_speed
         self._pause = PauseCommand(context)
 
     @operation(
@@ -152,7 +152,7 @@ class PlannedMotion(ControllerPart):
             refusal = self._send(command, frames)
         if refusal is None:
             started.close(Ending.SENT)
-            context.tell(PLAN_SENT, started, plan=int(command))
+            context.emit_event(PLAN_SENT, started, plan=int(command))
         return refusal
 
     def _send(self, command: TrajectoryCommand, frames: Sequence[Frame]) -> Refusal | None:
@@ -168,7 +168,7 @@ class PlannedMotion(ControllerPart):
         holds, percent = authority.holds, self._context.operating_state().speed_percent
         authority.went_on(self._context.clock())
         slower = Hold.SPEED_ZERO in holds or authority.arm_percent != percent
-        if slower and not self._tell_speed():
+        if slower and not self._send_speed():
             authority.holds = holds
             return LINK_LOST()
         out = Hold.PAUSE not in holds or connection.send(frames, passed=passed)

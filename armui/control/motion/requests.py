@@ -27,7 +27,7 @@ def joint_request(
     *,
     most_percent: int = 100,
     why_not: Callable[[OperatingState], Refusal | None],
-    told: tuple[Notice, Mapping[str, object]] | None = None,
+    sent_event: tuple[Notice, Mapping[str, object]] | None = None,
     kind: CommandKind = CommandKind.JOINTS,
 ) -> MotionRequest:
     """Return the request of a motion of the joints to six angles (MOVE J, 0x155–0x157, 0x151).
@@ -39,7 +39,7 @@ def joint_request(
         speed_percent: Returns the speed in the mode word.
         most_percent: The highest one that it may be given.
         why_not: Returns a reason against it other than its way, or ``None``.
-        told: The notice, with its figures, that reports the sending.
+        sent_event: The notice, with its figures, that reports the sending.
         kind: The kind of the command.
     """
 
@@ -60,5 +60,5 @@ def joint_request(
         ),
         why_not=why_not,
         joints_deg=tuple(target_deg),
-        told=told,
+        sent_event=sent_event,
     )

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, Signal
 
 from armui.arm.limits import JOINTS
-from armui.arm.parameters import Batch, Group, Parameter, all_batches, heard
+from armui.arm.parameters import Batch, Group, Parameter, all_batches, reading_of
 from armui.arm.quirks import why_not_by_firmware
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
@@ -126,7 +126,7 @@ class ArmSettings(QObject, ControllerPart):
         if cell.state not in {CellState.READ, CellState.SAVED}:
             return cell
         # After the arm was away a value counts as unread until the arm has said it again (S15).
-        return _UNREAD if heard(self._context.state(), parameter) is None else cell
+        return _UNREAD if reading_of(self._context.state(), parameter) is None else cell
 
     def everything(self) -> list[Batch] | Refusal:
         """Return the batches that a backup holds, or why they are not known now."""
@@ -145,7 +145,7 @@ class ArmSettings(QObject, ControllerPart):
         """
         state = self._context.state()
         codec = self._context.connection.codec
-        return heard(state, parameter) is not None and not not_taken(
+        return reading_of(state, parameter) is not None and not not_taken(
             codec, state, {parameter: value}
         )
 
@@ -204,7 +204,7 @@ class ArmSettings(QObject, ControllerPart):
         if refusal is not None:
             return refusal
         values = tuple((each.name, each.joint, value) for each, value in changes.items())
-        self._context.tell(SETTINGS_SENT, started, count=len(changes), values=values)
+        self._context.emit_event(SETTINGS_SENT, started, count=len(changes), values=values)
         self._saving, self._started = list(changes), started
         batches = batches_of(changes)
         self._submit(*(self._save(started, codec, batch, changes) for batch in batches))
@@ -235,7 +235,7 @@ class ArmSettings(QObject, ControllerPart):
         """Forget the outcome of the last saving of parameters, which the operator has seen."""
         for parameter in parameters:
             if self.cell(parameter).state in {CellState.SAVED, CellState.REFUSED}:
-                known = heard(self._context.state(), parameter)
+                known = reading_of(self._context.state(), parameter)
                 self._cells[parameter] = (
                     _UNREAD if known is None else SettingCellState(CellState.READ)
                 )
@@ -268,7 +268,7 @@ class ArmSettings(QObject, ControllerPart):
         first = batch.parameters()[0]
 
         def heard_since(state: ArmState, since_s: float) -> bool:
-            known = heard(state, first)
+            known = reading_of(state, first)
             return known is not None and known.at_s > since_s
 
         def against(state: ArmState) -> Refusal | None:
@@ -287,7 +287,7 @@ class ArmSettings(QObject, ControllerPart):
             return refusal
         for batch in batches:
             self._mark(batch.parameters(), SettingCellState(CellState.READING))
-        self._context.tell(SETTINGS_RESET_SENT, started)
+        self._context.emit_event(SETTINGS_RESET_SENT, started)
         self._submit(
             Transaction(
                 command(self._context.connection.codec),
@@ -327,7 +327,7 @@ class ArmSettings(QObject, ControllerPart):
             self._mark([parameter], SettingCellState(state, reason))
         self._closed()
         if not any(self.cell(each).state is CellState.SAVING for each in self._saving):
-            self._tell_saved()
+            self._emit_saved()
 
     def _after_reset(
         self, started: Started, batches: Sequence[Batch], refusal: Refusal | None
@@ -342,7 +342,7 @@ class ArmSettings(QObject, ControllerPart):
                 self._read(batch)
         self._closed()
 
-    def _tell_saved(self) -> None:
+    def _emit_saved(self) -> None:
         reasons = [
             cell.refusal for each in self._saving if (cell := self.cell(each)).refusal is not None
         ]

@@ -10,7 +10,7 @@ from typing import Final
 
 from armui import __version__
 from armui.arm.backup import BACKUP_FOREIGN, Backup, from_text, to_text
-from armui.arm.parameters import Parameter, heard
+from armui.arm.parameters import Parameter, reading_of
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.protocol.generation import Generation, PiperModel
@@ -71,6 +71,6 @@ def backup_of(
         values={
             parameter: known.value
             for parameter in parameters
-            if (known := heard(state, parameter)) is not None
+            if (known := reading_of(state, parameter)) is not None
         },
     )

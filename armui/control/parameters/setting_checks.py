@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Final
 
-from armui.arm.parameters import Batch, Group, Parameter, check_value, heard, is_corrupt
+from armui.arm.parameters import Batch, Group, Parameter, check_value, is_corrupt, reading_of
 from armui.arm.refusal import Reason, Refusal
 from armui.arm.state import ArmState
 from armui.control.parameters.setting_frames import as_carried, can_leave_unchanged, step_of
@@ -67,7 +67,7 @@ def frame_values(
     leaves = can_leave_unchanged(codec, batch)
     values: dict[Parameter, float | None] = {}
     for parameter in batch.parameters():
-        known = heard(state, parameter)
+        known = reading_of(state, parameter)
         as_read = None if leaves or known is None else known.value
         values[parameter] = changes.get(parameter, as_read)
     return values
@@ -80,7 +80,7 @@ def not_taken(codec: Codec, state: ArmState, wanted: Changes) -> dict[Parameter,
             parameter=parameter.name, joint=parameter.joint, value=value, held=known.value
         )
         for parameter, value in wanted.items()
-        if (known := heard(state, parameter)) is not None
+        if (known := reading_of(state, parameter)) is not None
         and abs(known.value - as_carried(codec, parameter, value))
         > _SAME_STEPS * step_of(codec, parameter)
     }
@@ -97,7 +97,11 @@ def crossed(state: ArmState, batch: Batch, changes: Changes) -> Refusal | None:
         if end not in changes and is_corrupt(state, end):
             return SETTING_CORRUPT(parameter=end.name, joint=end.joint)
     low, high = (
-        changes[end] if end in changes else known.value if (known := heard(state, end)) else None
+        changes[end]
+        if end in changes
+        else known.value
+        if (known := reading_of(state, end))
+        else None
         for end in ends
     )
     if low is None or high is None or low < high:
@@ -118,7 +122,7 @@ def _unknown_neighbour(
         if parameter in changes:
             continue
         figures: dict[str, int | str] = {"parameter": parameter.name, "joint": parameter.joint}
-        if heard(state, parameter) is None:
+        if reading_of(state, parameter) is None:
             return SETTING_UNKNOWN(**figures)
         if is_corrupt(state, parameter) and not leaves:
             return SETTING_CORRUPT(**figures)

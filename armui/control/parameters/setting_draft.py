@@ -6,7 +6,7 @@ import enum
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from armui.arm.parameters import Parameter, check_value, heard, is_corrupt, not_a_number
+from armui.arm.parameters import Parameter, check_value, is_corrupt, not_a_number, reading_of
 from armui.arm.refusal import Refusal
 from armui.arm.state import ArmState
 from armui.control.parameters.setting_cell import CellState, SettingCellState
@@ -129,7 +129,7 @@ class SettingDraft:
             if self.why_wrong(state, parameter) is not None:
                 return CellStatus.WRONG
             return CellStatus.NOT_SAVED if cell.state is CellState.REFUSED else CellStatus.CHANGED
-        if cell.state is CellState.REFUSED or heard(state, parameter) is None:
+        if cell.state is CellState.REFUSED or reading_of(state, parameter) is None:
             return CellStatus.NOT_READ
         if is_corrupt(state, parameter):
             return CellStatus.CORRUPT
@@ -142,7 +142,7 @@ def shown_as(parameter: Parameter, value: float) -> float:
 
 
 def _differs(state: ArmState, parameter: Parameter, text: str, value: float | None) -> bool:
-    known = heard(state, parameter)
+    known = reading_of(state, parameter)
     if value is None:
         return known is not None or bool(text.strip())
     return known is None or shown_as(parameter, value) != shown_as(parameter, known.value)

@@ -69,10 +69,12 @@ class SettingSaving:
 
     def ended(self) -> bool:
         """Take in the parameters' states; return whether the saving has just ended."""
-        if not self._running or any(self._stands(each) is CellState.SAVING for each in self._asked):
+        if not self._running or any(
+            self._cell_state(each) is CellState.SAVING for each in self._asked
+        ):
             return False
         self._running = False
-        taken = [each for each in self._asked if self._stands(each) is CellState.SAVED]
+        taken = [each for each in self._asked if self._cell_state(each) is CellState.SAVED]
         self._draft.drop_entries(taken)
         if len(taken) == len(self._asked) and not self._draft.changed:
             self._draft.end_editing()
@@ -82,5 +84,5 @@ class SettingSaving:
         """Forget the outcome of the saving, because the operator has gone on."""
         self._asked = {}
 
-    def _stands(self, parameter: Parameter) -> CellState:
+    def _cell_state(self, parameter: Parameter) -> CellState:
         return self._settings.cell(parameter).state

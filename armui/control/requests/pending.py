@@ -96,7 +96,7 @@ class PendingRequest(Generic[Kind]):
         self._notices, self._answer = notices, answer
         if sent is not None:
             notice, figures = sent
-            self._context.tell(notice, started, **figures)
+            self._context.emit_event(notice, started, **figures)
         # A receiver of the notice may have failed, which ends this request.
         if self._request is request:
             request.advance()
@@ -208,7 +208,7 @@ class PendingTransaction:
             self._finish(started, notices, refusal)
 
         notice, figures = sent
-        self._context.tell(notice, started, **figures)
+        self._context.emit_event(notice, started, **figures)
         self._transactions.submit(replace(transaction, finished=finished, started=started))
 
     def cut_off(self) -> None:

@@ -46,7 +46,7 @@ class ArrivalWatch:
         self._sent_s = sent_s
         self._elsewhere_since_s: float | None = None
 
-    def look(self, state: ArmState, now_s: float) -> Arrival | Refusal:
+    def check(self, state: ArmState, now_s: float) -> Arrival | Refusal:
         """Return the state of the motion, or why it will not be carried out."""
         status = state.status
         if status is None or status.at_s < self._sent_s + _TAKEN_IN_S:

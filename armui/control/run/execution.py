@@ -76,10 +76,10 @@ class Execution(QObject, ControllerPart):
         self._started: Started | None = None
         self.speed_percent = 100
         self._known_s, self._known = 0.0, True
-        self._untold = False
+        self._speed_unsent = False
         """True while the present speed could not be sent to the arm yet."""
         self._hold = PauseCommand(context)
-        self._hold_untold = False
+        self._hold_unreported = False
 
     @property
     def progress(self) -> Progress:
@@ -139,7 +139,7 @@ class Execution(QObject, ControllerPart):
         """
         raise NotImplementedError
 
-    def tell_speed(self) -> None:
+    def send_speed(self) -> None:
         """Send the speed of the motion under way once more, if it has one to send."""
         raise NotImplementedError
 
@@ -151,7 +151,7 @@ class Execution(QObject, ControllerPart):
         """
         raise NotImplementedError
 
-    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
+    def _emit_failed(self, reason: Refusal, ending: Ending) -> None:
         """Report to the operator why it has ended early."""
         raise NotImplementedError
 
@@ -180,7 +180,7 @@ class Execution(QObject, ControllerPart):
         abort_motion_for(self._context, reason)
         self._end(RunPhase.FAILED)
         self._progress = self._snapshot(reason)
-        self._tell_failed(reason, ending)
+        self._emit_failed(reason, ending)
         self.progressed.emit(self._progress)
 
     def _abort_motion(self) -> None:
@@ -205,13 +205,13 @@ class Execution(QObject, ControllerPart):
     def _await_hold(self) -> None:
         """Begin to watch for rest after a pause was sent, as the arm still moves at first."""
         self._rest = RestWatch()
-        self._hold_untold = True
+        self._hold_unreported = True
 
-    def _tell_hold(self) -> None:
+    def _emit_hold(self) -> None:
         """Report once that the arm holds, as soon as it is measured at rest after the pause."""
-        if self._hold_untold and self._rests():
-            self._hold_untold = False
-            self._context.tell(PAUSE_HOLDS)
+        if self._hold_unreported and self._rests():
+            self._hold_unreported = False
+            self._context.emit_event(PAUSE_HOLDS)
 
     def _publish(self) -> None:
         progress = self._snapshot(
@@ -242,7 +242,7 @@ class Execution(QObject, ControllerPart):
         if isinstance(passed, Refusal):
             return passed
         authority.went_on(context.clock())
-        if authority.arm_percent != percent and not context.tell_percent(percent):
+        if authority.arm_percent != percent and not context.send_percent(percent):
             authority.holds = holds
             return LINK_LOST()
         go_on = commands.trajectory_command(self._codec, TrajectoryCommand.CONTINUE)

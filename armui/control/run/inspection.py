@@ -161,7 +161,7 @@ class Inspection(ControllerPart):
         self._replayer = replayer
         self._reference = reference
         self._wall = wall
-        self._wished_deg: float | None = None
+        self._requested_deg: float | None = None
         self._asked: tuple[tuple[float, ...], float, object] | None = None
         self._job: Future[tuple[Swing, ...]] | None = None
         self._going: _Going | None = None
@@ -188,19 +188,19 @@ class Inspection(ControllerPart):
             limits = context.operating_state().limits
             return JOINTS_OUTSIDE(joints=outside_list(measured_deg, limits))
         plan = self.plan
-        if plan is None or plan.amplitude_deg != self._wished_deg or not self._holds(plan):
+        if plan is None or plan.amplitude_deg != self._requested_deg or not self._holds(plan):
             return INSPECTION_NOT_READY()
         return None if any(each.possible for each in plan.swings) else INSPECTION_NO_ROOM()
 
     # What the operator does -------------------------------------------------------------------
 
-    def look(self, amplitude_deg: float | None) -> None:
+    def set_amplitude(self, amplitude_deg: float | None) -> None:
         """Find out how far each joint may swing, and do so anew wherever the arm goes.
 
         Args:
             amplitude_deg: To either side; ``None`` to look no more.
         """
-        self._wished_deg = amplitude_deg
+        self._requested_deg = amplitude_deg
 
     @operation(
         "inspection.start",
@@ -213,9 +213,9 @@ class Inspection(ControllerPart):
     def start(self, started: Started, amplitude_deg: Annotated[float, AMPLITUDE]) -> Refusal | None:
         """Have each joint swing in turn, as a replay: it goes through the gate, as all others do.
 
-        The swings are those that were found beforehand, see :meth:`look`.
+        The swings are those that were found beforehand, see :meth:`set_amplitude`.
         """
-        self.look(amplitude_deg)
+        self.set_amplitude(amplitude_deg)
         refusal, plan = self.why_not_ready(), self.plan
         if refusal is not None or plan is None:
             return refusal
@@ -237,8 +237,8 @@ class Inspection(ControllerPart):
         """Measure the swings that are over, or continue the search for room."""
         if self._going is not None:
             self._follow(self._going)
-        elif self._wished_deg is not None:
-            self._look_for_room(self._wished_deg)
+        elif self._requested_deg is not None:
+            self._plan_swings(self._requested_deg)
 
     def forget_arm(self) -> None:
         """End the inspection and forget its results: another arm may come."""
@@ -246,7 +246,7 @@ class Inspection(ControllerPart):
             self._finish(self._going)
         self.plan = self._job = self._asked = None
 
-    def _look_for_room(self, amplitude_deg: float) -> None:
+    def _plan_swings(self, amplitude_deg: float) -> None:
         context, job = self._context, self._job
         if job is not None and job.done() and self._asked is not None:
             begin_deg, amplitude, rules = self._asked
@@ -314,11 +314,11 @@ class Inspection(ControllerPart):
             self._reference.keep_inspection(entry)
         if found:
             striking = joint_list(sorted({each.joint for each in found}))
-            self._context.tell(INSPECTED_STANDS_OUT, joints=striking)
+            self._context.emit_event(INSPECTED_STANDS_OUT, joints=striking)
         if unmeasured:
-            self._context.tell(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
+            self._context.emit_event(INSPECTION_INCOMPLETE, joints=joint_list(sorted(unmeasured)))
         elif not found:
-            self._context.tell(INSPECTED)
+            self._context.emit_event(INSPECTED)
 
     @staticmethod
     def _why_not_measured(swing: Swing, *, heard: bool) -> Refusal:

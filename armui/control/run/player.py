@@ -162,9 +162,9 @@ class Player(Execution):
             for target_deg in context.gate().ways_inside()
         ]
         self._started = started
-        context.tell(RUN_STARTED, started, name=run.name)
+        context.emit_event(RUN_STARTED, started, name=run.name)
         if self._way_in:
-            context.tell(RUN_FROM_OUTSIDE)
+            context.emit_event(RUN_FROM_OUTSIDE)
         self._send_point()
         return None
 
@@ -179,7 +179,7 @@ class Player(Execution):
         self._paused_s = self._context.clock()
         self._await_hold()
         started.close(Ending.SENT)
-        self._context.tell(RUN_PAUSED, started, row=self._index + 1)
+        self._context.emit_event(RUN_PAUSED, started, row=self._index + 1)
         self._publish()
         return None
 
@@ -209,7 +209,7 @@ class Player(Execution):
         self._looked_s = self._context.clock()
         started = record_start(self.go_on)
         started.close(Ending.SENT)
-        self._context.tell(RUN_CONTINUED, started, row=self._index + 1)
+        self._context.emit_event(RUN_CONTINUED, started, row=self._index + 1)
         if unsent:
             self._send_point()
         self._publish()
@@ -226,14 +226,14 @@ class Player(Execution):
         if percent == 0 and self._phase in {RunPhase.MOVING, RunPhase.DWELLING}:
             self.pause()
         elif self._phase is RunPhase.MOVING:
-            self.tell_speed()
+            self.send_speed()
         if self.running:
             self._publish()
 
-    def tell_speed(self) -> None:
+    def send_speed(self) -> None:
         """Send the speed of the point under way once more."""
         if self._phase is RunPhase.MOVING:
-            self._untold = not self._context.tell_percent(self._percent)
+            self._speed_unsent = not self._context.send_percent(self._percent)
 
     @property
     def _percent(self) -> int:
@@ -282,7 +282,7 @@ class Player(Execution):
             self._follow_stopping()
         elif self._phase is RunPhase.PAUSED:
             self._hold.repeat()
-            self._tell_hold()
+            self._emit_hold()
         self._publish()
 
     def _follow_motion(self) -> None:
@@ -292,10 +292,10 @@ class Player(Execution):
         if run is None or watch is None or schedule is None:
             return
         self._keep_time()
-        if self._untold:
-            self.tell_speed()
+        if self._speed_unsent:
+            self.send_speed()
         now_s = self._context.clock()
-        arrival = watch.look(self._context.state(), now_s)
+        arrival = watch.check(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
         elif arrival is Arrival.REACHED and self._way_in:
@@ -399,7 +399,7 @@ class Player(Execution):
 
     def _on_sent(self, point: Waypoint) -> None:
         self._since_s = self._looked_s = self._context.clock()
-        self._untold = False
+        self._speed_unsent = False
         self._watch = ArrivalWatch(point, self._since_s)
 
     def _arm(self) -> ArmModel:
@@ -420,7 +420,7 @@ class Player(Execution):
             self._since_s += self._context.clock() - self._paused_s
         super()._end(phase)
 
-    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
+    def _emit_failed(self, reason: Refusal, ending: Ending) -> None:
         row = self._index + 1
         self._context.close(self._started, ending, RUN_FAILED, row=row, reason=reason)
 

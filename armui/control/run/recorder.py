@@ -86,7 +86,7 @@ class Recorder(QObject, ControllerPart):
         ring.dropped = 0
         ring.wanted = self._recording = True
         self._started = started
-        self._context.tell(RECORDING_STARTED, started)
+        self._context.emit_event(RECORDING_STARTED, started)
         self.changed.emit()
 
     def rows_from(self, first: int) -> Array | None:

@@ -135,9 +135,9 @@ class Replayer(Execution):
         if refusal is not None:
             self._started, self._replay, self._phase = last, None, RunPhase.IDLE
             return refusal
-        context.tell(RUN_STARTED, started, name=replay.recording.name)
+        context.emit_event(RUN_STARTED, started, name=replay.recording.name)
         if self._way_in:
-            context.tell(RUN_FROM_OUTSIDE)
+            context.emit_event(RUN_FROM_OUTSIDE)
         self._timer.start()
         self._publish()
         return None
@@ -157,7 +157,7 @@ class Replayer(Execution):
         self._phase = RunPhase.PAUSED
         self._await_hold()
         started.close(Ending.SENT)
-        self._context.tell(REPLAY_PAUSED, started)
+        self._context.emit_event(REPLAY_PAUSED, started)
         self._publish()
 
     @operation(
@@ -178,7 +178,7 @@ class Replayer(Execution):
         self._phase = RunPhase.MOVING
         self._since_s = self._looked_s = self._context.clock()
         started.close(Ending.SENT)
-        self._context.tell(REPLAY_CONTINUED, started)
+        self._context.emit_event(REPLAY_CONTINUED, started)
         self._publish()
         return None
 
@@ -192,14 +192,14 @@ class Replayer(Execution):
         if percent == 0 and self._phase is RunPhase.MOVING:
             self._pause(record_start(self.pause))
         elif self._watch is not None:
-            self.tell_speed()
+            self.send_speed()
         if self.running:
             self._publish()
 
-    def tell_speed(self) -> None:
+    def send_speed(self) -> None:
         """Send the speed of the approach once more; afterwards the targets set the speed."""
         if self._phase is RunPhase.MOVING and self._watch is not None:
-            self._untold = not self._context.tell_percent(self._approach_percent)
+            self._speed_unsent = not self._context.send_percent(self._approach_percent)
 
     @property
     def _approach_percent(self) -> int:
@@ -240,7 +240,7 @@ class Replayer(Execution):
         elif self._phase is RunPhase.PAUSED:
             if self._watch is not None:
                 self._hold.repeat()
-            self._tell_hold()
+            self._emit_hold()
         self._publish()
 
     def _comes_to_a_stand(self, replay: Replay) -> bool:
@@ -302,7 +302,7 @@ class Replayer(Execution):
             return
         self._passed = self._context.gate().passed(command)
         self._since_s = self._looked_s = self._context.clock()
-        self._waited_s, self._untold = 0.0, False
+        self._waited_s, self._speed_unsent = 0.0, False
         target_deg = self._way_in[0] if self._way_in else replay.first_deg
         self._watch = ArrivalWatch(Waypoint(MoveMode.MOVE_J, target_deg), self._since_s)
 
@@ -312,9 +312,9 @@ class Replayer(Execution):
         slowed = self._approach_percent / self._approach_cap
         self._waited_s += (now_s - self._looked_s) * slowed
         self._looked_s = now_s
-        if self._untold:
-            self.tell_speed()
-        arrival = watch.look(self._context.state(), now_s)
+        if self._speed_unsent:
+            self.send_speed()
+        arrival = watch.check(self._context.state(), now_s)
         if isinstance(arrival, Refusal):
             self._fail(arrival)
         elif arrival is Arrival.REACHED and self._way_in and self._replay is not None:
@@ -463,7 +463,7 @@ class Replayer(Execution):
         elif now_s - self._since_s > _REST_WITHIN_S and self._rest_shows:
             self._fail(RUN_NOT_ENDED())
 
-    def _tell_failed(self, reason: Refusal, ending: Ending) -> None:
+    def _emit_failed(self, reason: Refusal, ending: Ending) -> None:
         self._context.close(self._started, ending, REPLAY_FAILED_NOTICE, reason=reason)
 
     def _end(self, phase: RunPhase) -> None:

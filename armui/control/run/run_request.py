@@ -69,7 +69,7 @@ class RunRequest:
             itself.
         options: Returns the options as shown now.
         speed_percent: Returns the operator's speed at which it would begin now.
-        told: Called with the request in each new state.
+        on_state: Called with the request in each new state.
         runs: True to run it; otherwise it is only checked.
         why_not: Returns for the content a further reason against the run.
         clock: Monotonic time in seconds.
@@ -93,7 +93,7 @@ class RunRequest:
         read: Callable[[Callable[[Content | None], object]], object],
         options: Callable[[], RunOptions],
         speed_percent: Callable[[], int],
-        told: Callable[[RunRequest], object],
+        on_state: Callable[[RunRequest], object],
         runs: bool = True,
         why_not: Callable[[Content], Refusal | None] = lambda _content: None,
         clock: Callable[[], float] = steady_s,
@@ -104,7 +104,7 @@ class RunRequest:
         self._read = read
         self._options_shown = options
         self._speed_percent = speed_percent
-        self._told = told
+        self._on_state = on_state
         self._why_not = why_not
         self._clock = clock
         self._mark = controller.mark
@@ -164,7 +164,7 @@ class RunRequest:
             self._refuse(checked)
             return
         self.checked = checked
-        if self.runs and self._goes_otherwise(checked):
+        if self.runs and self._restart_if_changed(checked):
             return
         late = self._clock() - self._pressed_s > _SURPRISING_S
         self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
@@ -182,10 +182,10 @@ class RunRequest:
         """Start the run, because the operator agrees."""
         if self.state is RequestState.ASKING and self.checked is not None:
             self._pressed_s = self._clock()
-            if not self._goes_otherwise(self.checked):
+            if not self._restart_if_changed(self.checked):
                 self._start(self.checked)
 
-    def _goes_otherwise(self, checked: Preflight) -> bool:
+    def _restart_if_changed(self, checked: Preflight) -> bool:
         """Begin anew if the options have changed, or refuse; return whether either happened."""
         refusal = self._why_not(checked.order.content)
         if refusal is not None:
@@ -226,4 +226,4 @@ class RunRequest:
         if self.is_over or state not in _NEXT[self.state] | ends:
             raise ValueError(f"a run request cannot go from {self.state.name} to {state.name}")
         self.state = state
-        self._told(self)
+        self._on_state(self)

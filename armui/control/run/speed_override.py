@@ -77,7 +77,7 @@ class SpeedOverride(ControllerPart):
             self._lower_speed.schedule()
         started.close(Ending.SENT)
         if wanted != before:
-            self._context.tell(RUN_SPEED_SET, started, percent=wanted)
+            self._context.emit_event(RUN_SPEED_SET, started, percent=wanted)
             run.set_speed(wanted)
         self._context.refresh()
         return None
@@ -101,14 +101,14 @@ class SpeedOverride(ControllerPart):
             now, of_run = self._motion.speed_percent, run.speed_percent
             self._motion.speed_percent = min(now, of_run)
             if before is None and of_run < now:
-                self._context.tell(RUN_SPEED_LOWERED, before=now, percent=of_run)
+                self._context.emit_event(RUN_SPEED_LOWERED, before=now, percent=of_run)
         self._under_way = running
 
     def follow_arm(self) -> None:
         """Send a lower speed once more."""
         if self._lower_speed.take_due():
             for run in self._runs:
-                run.tell_speed()
+                run.send_speed()
 
     def halt(self) -> None:
         """Do not repeat a lower speed, because the runs end."""

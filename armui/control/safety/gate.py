@@ -24,7 +24,7 @@ from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import close_and_tell
+from armui.control.operations.telling import close_and_emit
 from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.telemetry.events import EventKind, Level
@@ -65,7 +65,7 @@ CHECKING = Notice("checking", "Checking the way…", Level.INFO, EventKind.COMMA
 
 _WITHIN_S: Final = 0.95
 """What could not be sent within this time of its press is dropped: a second, less a tick (S14)."""
-_SAID_AFTER_S: Final = 0.05
+_ANNOUNCED_AFTER_S: Final = 0.05
 """A motion that waits for its check for longer than this is told the operator."""
 _SAME_DEG: Final = 0.2
 """A check counts for an arm measured this near to where the checked way begins."""
@@ -103,7 +103,7 @@ class MotionRequest:
         joints_deg, tool, leads_away, tool_way, keep_s: As in :meth:`Context.send_motion`.
         agreed_mm: The height over the floor down to which the operator has agreed to go, where no
             lowest one is chosen; ``None`` if that is not asked.
-        told: The notice, with its figures, that the operator is told once it is sent.
+        sent_event: The notice, with its figures, that the operator is told once it is sent.
         sent: Called with the command once it is sent.
         refused: Called with the reason if it is refused after :meth:`Gate.send` has returned.
     """
@@ -122,7 +122,7 @@ class MotionRequest:
     keep_s: float | None = None
     most_percent: int = 100
     agreed_mm: float | None = None
-    told: tuple[Notice, Mapping[str, object]] | None = None
+    sent_event: tuple[Notice, Mapping[str, object]] | None = None
     sent: Callable[[MotionCommand], object] = _nothing
     refused: Callable[[Refusal], object] | None = None
 
@@ -136,7 +136,7 @@ class _Pending:
         revision: The authority's revision at the press; the motion is void once it differs.
         job: The check in its thread; ``None`` while the arm does not rest.
         rules: The rules it is checked against.
-        told: True once the operator was notified that it is being checked.
+        announced: True once the operator was notified that it is being checked.
     """
 
     request: MotionRequest
@@ -144,7 +144,7 @@ class _Pending:
     revision: int
     job: Future[tuple[Judgement, Way]] | None = None
     rules: Rules | None = None
-    told: bool = False
+    announced: bool = False
 
 
 class StreamCheck:
@@ -468,9 +468,9 @@ class Gate(ControllerPart):
         if isinstance(sent, Refusal):
             return sent
         request.sent(sent)
-        if request.told is not None:
-            notice, figures = request.told
-            self._context.tell(notice, request.started, **figures)
+        if request.sent_event is not None:
+            notice, figures = request.sent_event
+            self._context.emit_event(notice, request.started, **figures)
         return None
 
     # The controller's tick ------------------------------------------------------------------
@@ -510,9 +510,9 @@ class Gate(ControllerPart):
         if refusal is not None:
             self._pending = None
             return refusal
-        if not pending.told and now_s - pending.since_s >= _SAID_AFTER_S:
-            pending.told = True
-            context.tell(CHECKING)
+        if not pending.announced and now_s - pending.since_s >= _ANNOUNCED_AFTER_S:
+            pending.announced = True
+            context.emit_event(CHECKING)
         return None
 
     def _check_at_rest(self, pending: _Pending) -> Refusal | None:
@@ -548,8 +548,13 @@ class Gate(ControllerPart):
             request.refused(refusal)
             return
         context = self._context
-        close_and_tell(
-            context.tell, context.clock(), request.started, Ending.REFUSED, REFUSED, reason=refusal
+        close_and_emit(
+            context.emit_event,
+            context.clock(),
+            request.started,
+            Ending.REFUSED,
+            REFUSED,
+            reason=refusal,
         )
 
     def _drop(self, ending: Ending) -> None:

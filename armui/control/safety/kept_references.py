@@ -20,7 +20,7 @@ class KeptReferences:
 
     def __init__(self, store: SettingsStore) -> None:
         self._store = store
-        self._told: dict[str, ReferenceRecord] = {}
+        self._given: dict[str, ReferenceRecord] = {}
 
     def get(self, arm: str) -> ReferenceRecord | None:
         """Return the record of an arm, by its key, or ``None``.
@@ -29,16 +29,16 @@ class KeptReferences:
         """
         entry = self._store.settings.references.get(arm) or self._store.strange("references", arm)
         record = record_in(entry)
-        self._told[arm] = record or ReferenceRecord()
+        self._given[arm] = record or ReferenceRecord()
         return record
 
     def keep(self, arm: str, record: ReferenceRecord) -> Refusal | None:
         """Keep the record of an arm; return why it could not be saved, or ``None``.
 
-        What differs from the record that was told, or kept, last is changed; the rest is left to
+        What differs from the record that was given, or kept, last is changed; the rest is left to
         other programs.
         """
-        before, self._told[arm] = self._told.get(arm, ReferenceRecord()), record
+        before, self._given[arm] = self._given.get(arm, ReferenceRecord()), record
 
         def put(entries: dict[str, Any]) -> None:
             entries[arm] = merged_entry(before, record, entries.pop(arm, None))

@@ -183,7 +183,7 @@ class ModeExitCommand(ControllerPart):
         )
         if isinstance(sent, Refusal):
             return sent
-        context.tell(MODE_LEFT)
+        context.emit_event(MODE_LEFT)
         return None
 
     def why_not(self) -> Refusal | None:

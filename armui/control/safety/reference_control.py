@@ -220,7 +220,9 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = self._context.clock() + ALLOWED_S
         started.close(Ending.SENT)
         joints = joint_list(list(self.record.doubtful))
-        self._context.tell(REFERENCE_ALLOWED, started, joints=joints, seconds=round(ALLOWED_S))
+        self._context.emit_event(
+            REFERENCE_ALLOWED, started, joints=joints, seconds=round(ALLOWED_S)
+        )
         self._context.refresh()
 
     @operation("reference.begin", "Check the reference", why_not_begin)
@@ -228,7 +230,7 @@ class ReferenceControl(ControllerPart):
         """Begin the check; until it ends nothing moves but what it drives itself."""
         self.check = ReferenceCheck(self.record.doubtful, self.record.pose_deg)
         started.close(Ending.SENT)
-        self._context.tell(REFERENCE_CHECK_BEGUN, started)
+        self._context.emit_event(REFERENCE_CHECK_BEGUN, started)
         self._context.refresh()
 
     @operation(
@@ -259,7 +261,7 @@ class ReferenceControl(ControllerPart):
             lambda: context.operating_state().speed_percent,
             most_percent=_DRIVE_PERCENT,
             why_not=lambda now: why_not_drive(now, joint),
-            told=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
+            sent_event=(REFERENCE_DRIVEN, {"joint": joint, "target": mark_deg}),
         )
         return context.gate().send(request)
 
@@ -285,7 +287,7 @@ class ReferenceControl(ControllerPart):
         )
         started.close(Ending.SENT)
         notice = REFERENCE_OFF if off_deg else REFERENCE_FITS
-        self._context.tell(notice, started, joints=joint_list(list(off_deg)))
+        self._context.emit_event(notice, started, joints=joint_list(list(off_deg)))
         self._context.refresh()
         return None
 
@@ -300,7 +302,7 @@ class ReferenceControl(ControllerPart):
         pose_deg = tuple(round(angle, 3) for angle in angles_deg)
         self._keep(replace(self.record, pose_deg=pose_deg, photo=""))
         started.close(Ending.SENT)
-        self._context.tell(REFERENCE_TAUGHT, started)
+        self._context.emit_event(REFERENCE_TAUGHT, started)
         self._context.refresh()
         return None
 
@@ -322,7 +324,7 @@ class ReferenceControl(ControllerPart):
         """Keep with the arm what an inspection has measured."""
         self._keep(replace(self.record, inspections=(*self.record.inspections, entry)[-KEPT:]))
 
-    def look(self, elsewhere: Sequence[int]) -> None:
+    def note_elsewhere(self, elsewhere: Sequence[int]) -> None:
         """Note which joints stand elsewhere than the picture shows; others may be driven then."""
         if self.check is not None:
             self.check.suspect(elsewhere)
@@ -352,7 +354,7 @@ class ReferenceControl(ControllerPart):
         """Close the check without a result."""
         if self.check is not None:
             self.check = None
-            self._context.tell(REFERENCE_CHECK_LEFT)
+            self._context.emit_event(REFERENCE_CHECK_LEFT)
             self._context.refresh()
 
     # The controller's tick --------------------------------------------------------------------
@@ -376,7 +378,7 @@ class ReferenceControl(ControllerPart):
         for each in found:
             self._doubt(each.joint)
             figures = {"place": round(each.place_deg, 1), "value": round(each.farthest_deg, 1)}
-            context.tell(REFERENCE_LEFT, joint=each.joint, **figures)
+            context.emit_event(REFERENCE_LEFT, joint=each.joint, **figures)
         if found:
             context.refresh()
 
@@ -420,7 +422,7 @@ class ReferenceControl(ControllerPart):
             doubtful = tuple(sorted({*kept.doubtful, *early}))
             self.record = replace(kept, doubtful=doubtful)
             if kept.doubtful:
-                context.tell(REFERENCE_STILL_IN_DOUBT, joints=joint_list(list(kept.doubtful)))
+                context.emit_event(REFERENCE_STILL_IN_DOUBT, joints=joint_list(list(kept.doubtful)))
         if early:
             self._keep(replace(self.record, doubted_at=self._now()))
         context.refresh()

@@ -101,5 +101,5 @@ class ResumeSlips(ControllerPart):
         entry = ResumeEntry(at, tuple(slips_deg))
         self._reference.keep_resume(entry)
         if joints := entry.text:
-            self._context.tell(RESUME_SLIPPED, joints=joints)
+            self._context.emit_event(RESUME_SLIPPED, joints=joints)
             self._context.refresh()

@@ -131,8 +131,8 @@ class SinkingControl(ControllerPart):
     def _reset(self) -> None:
         self._watch.reset()
         self._expects_motion = True
-        self._told: UncommandedMotion | None = None
-        self._told_s = self._looked_s = -math.inf
+        self._reported: UncommandedMotion | None = None
+        self._reported_s = self._looked_s = -math.inf
 
     @property
     def motion(self) -> UncommandedMotion | None:
@@ -164,7 +164,7 @@ class SinkingControl(ControllerPart):
                 counted_anew=now.busy is Busy.ZEROING,
             )
         )
-        self._tell_events()
+        self._emit_events()
 
     def forget_arm(self) -> None:
         """Forget the arm; one whose device is lost may be moving."""
@@ -176,7 +176,7 @@ class SinkingControl(ControllerPart):
             return
         watched = WatchedMotion(context.connection.newest, context.clock(), None, heard=False)
         self._watch.observe(watched)
-        self._tell_events()
+        self._emit_events()
 
     # Causes -----------------------------------------------------------------------------------
 
@@ -235,38 +235,38 @@ class SinkingControl(ControllerPart):
 
     # Notices ----------------------------------------------------------------------------------
 
-    def _tell_events(self) -> None:
+    def _emit_events(self) -> None:
         """Report the beginning, each further distance worth an event, and the whole at the end."""
         watch = self._watch
         if watch.ended is not None:
             (whole, at_rest), watch.ended = watch.ended, None
-            if self._told is not None:
+            if self._reported is not None:
                 self._announce(ARM_RESTS if at_rest else ARM_HELD_AGAIN, whole)
-            self._told = None
-        motion, now_s, told = watch.motion, self._context.clock(), self._told
+            self._reported = None
+        motion, now_s, told = watch.motion, self._context.clock(), self._reported
         if motion is None or motion.kind in {MotionKind.UNMEASURED, MotionKind.LED}:
             return
         if motion.kind is MotionKind.UNHEARD:
             unheard = told is not None and told.kind is MotionKind.UNHEARD
-            self._told = motion
+            self._reported = motion
             if not unheard and motion.speed_mm_s:
-                self._context.tell(ARM_UNHEARD_MOVING, speed=motion.speed_mm_s)
+                self._context.emit_event(ARM_UNHEARD_MOVING, speed=motion.speed_mm_s)
             return
         if motion.cause in _UNTOLD:
             return
         if told is None or told.kind is MotionKind.UNHEARD:
             self._announce(_begins(motion), motion)
-        elif now_s - self._told_s < FURTHER_S:
+        elif now_s - self._reported_s < FURTHER_S:
             return
         elif _is_further(motion, told):
             sinks = motion.kind is MotionKind.SINKS and not motion.is_level
             self._announce(ARM_SINKS_ON if sinks else ARM_MOVES_ON, motion)
         else:
             return
-        self._told, self._told_s = motion, now_s
+        self._reported, self._reported_s = motion, now_s
 
     def _announce(self, notice: Notice, motion: UncommandedMotion) -> None:
-        self._context.tell(notice, **motion.figures())
+        self._context.emit_event(notice, **motion.figures())
 
 
 def _is_led(status: Status | None) -> bool:

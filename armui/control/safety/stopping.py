@@ -14,7 +14,7 @@ from armui.control.link.link_state import LinkState, why_only_heard, why_unreach
 from armui.control.motion.abort import ending_frames
 from armui.control.operating_state import StopState
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import Tell, close_and_tell, report_and_tell
+from armui.control.operations.telling import EmitEvent, close_and_emit, report_and_emit
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
@@ -120,7 +120,7 @@ class Stopping:
 
     Args:
         connection: The way to the arm.
-        tell: Takes the events.
+        emit_event: Takes the events.
         clock: Monotonic time in seconds.
         end_all: Has every part of the program give up what would move the arm.
 
@@ -131,12 +131,12 @@ class Stopping:
     def __init__(
         self,
         connection: Connection,
-        tell: Tell,
+        emit_event: EmitEvent,
         clock: Callable[[], float],
         end_all: Callable[[], None],
     ) -> None:
         self._connection = connection
-        self._tell = tell
+        self._emit_event = emit_event
         self._clock = clock
         self._end_all = end_all
         self.emergency_stop = EmergencyStop(connection.send_urgent)
@@ -157,7 +157,7 @@ class Stopping:
         if connection.device is None:
             started = self._begin_stop()
             started.close(Ending.FAILED)
-            self._tell(STOP_NOT_SENT, started)
+            self._emit_event(STOP_NOT_SENT, started)
             return
         self._asked_of = connection.device
         self._halted_s = None
@@ -167,7 +167,7 @@ class Stopping:
         on_the_bus = self.emergency_stop.request(frames, self._clock())
         self._end_all()
         notice = STOP_SENT if on_the_bus else STOP_NOT_SENT
-        self._tell(notice, self._begin_stop())
+        self._emit_event(notice, self._begin_stop())
         self._name_others()
 
     def withdraw(self) -> None:
@@ -202,7 +202,7 @@ class Stopping:
             self._report_stop(STOP_LAPSED)
         self._was_unconfirmed, self._was_lapsed = unconfirmed, emergency_stop.lapsed
         if self._watch.undone(state, now_s, resuming=resuming):
-            self._tell(STOP_UNDONE)
+            self._emit_event(STOP_UNDONE)
             # That another host undid the stop is always told; stopping again is a setting (S27).
             if self.stop_again:
                 self.stop()
@@ -219,7 +219,7 @@ class Stopping:
         heard_s = self._connection.newest.status_heard_s
         for offset, at_s in zip(OFFSETS, heard_s, strict=True):
             if offset != own and is_fresh(at_s, self._clock()):
-                self._tell(STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
+                self._emit_event(STOP_REACHES_OTHER, feedback=f"0x{0x2A1 + offset:03X}")
 
     def _on_every_offset(self, frames: Sequence[Frame]) -> list[Frame]:
         """Return the frames on this arm's own identifier first, the two others directly behind."""
@@ -251,7 +251,7 @@ class Stopping:
         """
         refusal = self.why_no_halt()
         if refusal is not None:
-            self._tell(REFUSED, reason=refusal)
+            self._emit_event(REFUSED, reason=refusal)
             return refusal
         frames = self._on_every_offset(ending_frames(self._connection))
         # The frames go first: what the parts end below must not hold the halt up (S26).
@@ -261,7 +261,7 @@ class Stopping:
         if self._halt_started is not None:
             self._halt_started.close(Ending.CUT_OFF)
         self._halt_started = Started("halt")
-        self._tell(HALT_SENT if out else HALT_NOT_OUT, self._halt_started)
+        self._emit_event(HALT_SENT if out else HALT_NOT_OUT, self._halt_started)
         return None
 
     def _follow_halt(self, state: ArmState, now_s: float, *, still: bool) -> None:
@@ -284,12 +284,12 @@ class Stopping:
         return self._stop_started
 
     def _report_stop(self, notice: Notice) -> None:
-        report_and_tell(self._tell, self._clock(), self._stop_started, notice)
+        report_and_emit(self._emit_event, self._clock(), self._stop_started, notice)
 
     def _close(
         self, started: Started | None, ending: Ending, notice: Notice, **params: object
     ) -> None:
-        close_and_tell(self._tell, self._clock(), started, ending, notice, **params)
+        close_and_emit(self._emit_event, self._clock(), started, ending, notice, **params)
 
 
 def _gap_ended_s(state: ArmState) -> float:

@@ -157,7 +157,7 @@ class Episodes(QObject):
         self.task, self._started = wanted, started
         self.kept += 1
         self._keep(Episode(number, self._now_s(), task=wanted))
-        self._context.tell(EPISODE_BEGUN, started, number=number, task=wanted)
+        self._context.emit_event(EPISODE_BEGUN, started, number=number, task=wanted)
         self._show()
         return None
 
@@ -176,7 +176,7 @@ class Episodes(QObject):
         if self._last is not None:
             self.kept -= 1
             self._keep(replace(self._last, discarded=True))
-            self._context.tell(EPISODE_DISCARDED, started, number=self._last.number)
+            self._context.emit_event(EPISODE_DISCARDED, started, number=self._last.number)
         started.close(Ending.DONE)
         self._show()
 
@@ -213,7 +213,7 @@ class Episodes(QObject):
             outcome = EventOutcome(notice.id, self._context.clock(), Level.DONE, figures)
             self._started.close(Ending.DONE, outcome)
         self._started = None
-        self._context.tell(notice, by, **figures)
+        self._context.emit_event(notice, by, **figures)
 
     def _keep(self, episode: Episode) -> None:
         self._last = episode

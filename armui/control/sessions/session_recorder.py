@@ -136,7 +136,7 @@ class SessionRecorder(QObject):
         self._device: object = None
         self.choices = SessionChoices(paths.sessions())
         self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.timeout.connect(self.poll)
         context.connection.add_listener(self._lane)
         context.connection.changed.connect(self._on_connection)
 
@@ -223,7 +223,7 @@ class SessionRecorder(QObject):
         self._note_facts()
         self._timer.start()
         started = self._started[self._recording] = Started("session.record")
-        self._context.tell(SESSION_STARTED, started, name=plan.name)
+        self._context.emit_event(SESSION_STARTED, started, name=plan.name)
         if self._episodes is not None:
             self._episodes.begin_log(self._recording.note, plan.base.shift_s)
         self.changed.emit()
@@ -237,7 +237,7 @@ class SessionRecorder(QObject):
         recording = self._recording
         if recording is None:
             return self._context.refuse(SESSION_NONE(), sends=False)
-        self.look()
+        self.poll()
         if self._recording is not None:
             self._end(recording, "operator")
         return None
@@ -252,9 +252,9 @@ class SessionRecorder(QObject):
             return self._context.refuse(SESSION_SAVING(), sends=False)
         if self._ring is None or self._collector is None or not self._ring.span()[0]:
             return self._context.refuse(SESSION_RING_EMPTY(), sends=False)
-        self.look()
+        self.poll()
         self._facts.reset()
-        lines = self._facts.news()
+        lines = self._facts.new_lines()
         name = f"{name_for(datetime.now().astimezone())}-{_WORDS.get(reason, reason)}"
         plan = self._plan(name, "ring" if reason == "operator" else reason)
         oldest_s = self._context.clock() - KEPT_S
@@ -295,7 +295,7 @@ class SessionRecorder(QObject):
 
     # Events and the collecting thread ---------------------------------------------------------
 
-    def look(self) -> None:
+    def poll(self) -> None:
         """Take in the events; called by its own timer, four times a second."""
         for each in self._feed.take_events():
             self._recent.append(each)
@@ -331,7 +331,7 @@ class SessionRecorder(QObject):
 
     def _note_facts(self) -> None:
         if self._recording is not None:
-            for line in self._facts.news():
+            for line in self._facts.new_lines():
                 self._recording.note(line)
 
     def _follow_recording(self) -> None:
@@ -344,7 +344,7 @@ class SessionRecorder(QObject):
             self.changed.emit()
         elif recording is not None and (lost := self._lost(recording)) > self._lost_told:
             count, self._lost_told = lost - self._lost_told, lost
-            self._context.tell(SESSION_FRAMES_LOST, count=count)
+            self._context.emit_event(SESSION_FRAMES_LOST, count=count)
         for each in [one for one in self._ending if not one.running]:
             self._ending.remove(each)
             if each.failure is None:
@@ -368,10 +368,10 @@ class SessionRecorder(QObject):
         self._saving = self._saving_plan = None
         error = saving.exception()
         if error is None:
-            self._context.tell(RING_SAVED, name=saving.result().stem)
+            self._context.emit_event(RING_SAVED, name=saving.result().stem)
         else:
             reason = why_not_written(error, self.choices.folder)
-            self._context.tell(RING_NOT_SAVED, reason=reason)
+            self._context.emit_event(RING_NOT_SAVED, reason=reason)
         self.changed.emit()
 
     def _end(self, recording: SessionRecording, reason: str) -> None:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from armui.arm.backup import parameter_row
-from armui.arm.parameters import all_batches, heard
+from armui.arm.parameters import all_batches, reading_of
 from armui.cell.cell_in_force import CellInForce, to_entry
 from armui.control.events import Level
 from armui.control.safety.stopping import (
@@ -97,13 +97,13 @@ class SidecarLines:
     def __init__(self, context: Context, cell: Callable[[], CellInForce] = CellInForce) -> None:
         self._context = context
         self._cell = cell
-        self._told: dict[str, Line] = {}
+        self._written: dict[str, Line] = {}
 
     def reset(self) -> None:
         """Take everything for new, because another recording begins."""
-        self._told = {}
+        self._written = {}
 
-    def news(self) -> list[Line]:
+    def new_lines(self) -> list[Line]:
         """Return the lines for everything known now and not yet written."""
         connection = self._context.connection
         state = self._context.state()
@@ -124,13 +124,13 @@ class SidecarLines:
                 }
             )
         cell = self._cell()
-        if cell != CellInForce() or "cell" in self._told:
+        if cell != CellInForce() or "cell" in self._written:
             lines.append({"kind": "cell", **to_entry(cell)})
         values = settings_read(state)
         if values:
             lines.append({"kind": "settings", "values": values})
-        new = [line for line in lines if self._told.get(str(line["kind"])) != line]
-        self._told.update({str(line["kind"]): line for line in new})
+        new = [line for line in lines if self._written.get(str(line["kind"])) != line]
+        self._written.update({str(line["kind"]): line for line in new})
         return new
 
 
@@ -140,5 +140,5 @@ def settings_read(state: ArmState) -> list[dict[str, float | int | str]]:
         parameter_row(parameter, known.value)
         for batch in all_batches(teaching=True, drag_assistance=True)
         for parameter in batch.parameters()
-        if (known := heard(state, parameter)) is not None
+        if (known := reading_of(state, parameter)) is not None
     ]

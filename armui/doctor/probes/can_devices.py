@@ -45,7 +45,7 @@ _KEPT: Final = (
 """
 
 
-def look_at_can() -> CanFacts:
+def probe_can() -> CanFacts:
     """Return the facts on CAN devices; takes up to some seconds."""
     error = ""
     devices: tuple[DeviceFacts, ...] = ()
@@ -58,19 +58,19 @@ def look_at_can() -> CanFacts:
     except Exception as caught:  # noqa: BLE001 - third-party drivers may raise anything
         error = str(caught) or type(caught).__name__
     kept = tuple(kept_names(_ETC))
-    return replace(look_at_adapters(), devices=devices, error=error, kept=kept)
+    return replace(probe_adapters(), devices=devices, error=error, kept=kept)
 
 
 def _is_linux() -> bool:
     return sys.platform == "linux"
 
 
-def look_at_adapters() -> CanFacts:
+def probe_adapters() -> CanFacts:
     """Return the operating system's facts on adapters, without any driver of python-can."""
     if not _is_linux():
         return CanFacts()
     return CanFacts(
-        links=look_at_links(),
+        links=probe_links(),
         usb=tuple(usb_adapters(_USB)),
         ports=tuple(_serial_ports(_DEV)),
         shared=shared_controllers(_USB, _TTY),
@@ -93,7 +93,7 @@ def kept_names(etc: Path) -> list[str]:
     return sorted(found)
 
 
-def look_at_links() -> tuple[LinkFacts, ...]:
+def probe_links() -> tuple[LinkFacts, ...]:
     """Return the CAN interfaces of Linux; none on other systems."""
     if not _is_linux():
         return ()

@@ -73,7 +73,7 @@ def listen(
 def _hear(
     bus: can.BusABC, device: Device, seconds: float, *, ask: bool, clock_s: Callable[[], float]
 ) -> HeardFacts:
-    from armui.doctor.hearing import TimedFrame, hear  # noqa: PLC0415 - numpy may be missing
+    from armui.doctor.hearing import TimedFrame, heard_facts  # noqa: PLC0415 - numpy may be missing
     from armui.protocol.frame import Frame  # noqa: PLC0415 - as above
 
     frames: list[TimedFrame] = []
@@ -102,7 +102,7 @@ def _hear(
                 echoes.remove(frame)
             else:
                 frames.append(TimedFrame(clock_s(), frame))
-    return hear(
+    return heard_facts(
         device.interface,
         str(device.channel),
         frames,

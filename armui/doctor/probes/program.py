@@ -30,7 +30,7 @@ _CLAUSE: Final = re.compile(r"(>=|<=|==|!=|<|>|~=)\s*([0-9][0-9A-Za-z.]*)")
 _NUMBERS: Final = re.compile(r"\d+")
 
 
-def look_at_program() -> ProgramFacts:
+def probe_program() -> ProgramFacts:
     """Return the versions, packages, system and priority that this program runs with."""
     rise = try_priority()
     return ProgramFacts(

@@ -29,7 +29,7 @@ _QT_PLATFORMS: Final = ("Qt/plugins/platforms/libqxcb.so",)
 _QT_WAYLAND: Final = ("Qt/plugins/platforms/libqwayland.so",)
 
 
-def tell_of_qt() -> None:
+def probe_qt() -> None:
     """Load Qt and print its facts; runs in a process of its own."""
     import PySide6  # noqa: PLC0415 - may end this process
 
@@ -39,7 +39,7 @@ def tell_of_qt() -> None:
     _print("platform", QApplication([]).platformName())
 
 
-def tell_of_opengl() -> None:
+def probe_opengl() -> None:
     """Draw a picture and print the graphics driver's facts; runs in a process of its own."""
     import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, PLC0415 - as above; what windows draw with
     from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow  # noqa: PLC0415 - as above
@@ -52,7 +52,7 @@ def tell_of_opengl() -> None:
     _print(window.ReportCapabilities())
 
 
-TRIALS: Final = {"qt": tell_of_qt, "opengl": tell_of_opengl}
+TRIALS: Final = {"qt": probe_qt, "opengl": probe_opengl}
 """The functions that `armui doctor --try` runs in a process of its own, by name."""
 
 
@@ -61,12 +61,12 @@ def _print(*words: str) -> None:
     sys.stdout.flush()  # the next import may end the process
 
 
-def look_at_screen() -> ScreenFacts:
+def probe_screen() -> ScreenFacts:
     """Return the facts on the screen; takes some seconds."""
     answers, error = _try("qt")
     words = dict(line.split(" ", 1) for line in answers.splitlines() if " " in line)
     missing = dict.fromkeys([*missing_libraries(), *_IN_MESSAGE.findall(error)])
-    opengl, opengl_error = _look_at_opengl()
+    opengl, opengl_error = _probe_opengl()
     return ScreenFacts(
         has_display=has_display(),
         qt=words.get("qt"),
@@ -78,7 +78,7 @@ def look_at_screen() -> ScreenFacts:
     )
 
 
-def _look_at_opengl() -> tuple[str | None, str]:
+def _probe_opengl() -> tuple[str | None, str]:
     answers, error = _try("opengl")
     renderer, version = _RENDERER.search(answers), _VERSION.search(answers)
     if renderer is None:

@@ -109,7 +109,7 @@ class CsvMessages:
 
     def write_span(self, history: History, span: TimeSpan) -> None:
         """Write the frames of a piece of the log; see `Sink`."""
-        for samples in history.heard():
+        for samples in history.all_samples():
             self._write(samples, span)
 
     def _write(self, samples: Samples, span: TimeSpan) -> None:

@@ -149,7 +149,7 @@ def open_source(path: Path) -> ExportSource:
 
 def export_log(
     request: ExportRequest,
-    tell: Callable[[ExportProgress], object] = lambda _progress: None,
+    on_progress: Callable[[ExportProgress], object] = lambda _progress: None,
     is_wanted: Callable[[], bool] = lambda: True,
     begun: Callable[[Path], object] = lambda _unfinished: None,
     open_recording: Callable[[Path], ExportSource] = open_source,
@@ -158,7 +158,7 @@ def export_log(
 
     Args:
         request: The log, the target and the options.
-        tell: Called with the progress after each piece of the log.
+        on_progress: Called with the progress after each piece of the log.
         is_wanted: Called as often; if it returns false, the export is cancelled.
         begun: Called with the name of the unfinished file, which must be removed by whoever kills
             this process.
@@ -172,7 +172,7 @@ def export_log(
         raise ExportError(ExportProblem.SAME_FILE, str(request.target))
     try:
         with closing(open_recording(request.log)) as source:
-            return _Export(request, source, tell, is_wanted, begun).run()
+            return _Export(request, source, on_progress, is_wanted, begun).run()
     except NotALogError as error:
         raise ExportError(ExportProblem.NO_LOG, error_text(error)) from error
     except NoSuchChannelError as error:
@@ -192,7 +192,7 @@ _LATER_S: Final = 1.0
 class _Export:
     request: ExportRequest
     source: ExportSource
-    tell: Callable[[ExportProgress], object]
+    on_progress: Callable[[ExportProgress], object]
     is_wanted: Callable[[], bool]
     begun: Callable[[Path], object]
 
@@ -259,7 +259,7 @@ class _Export:
             if not self.is_wanted():
                 raise ExportCancelledError
             yield batch
-            self.tell(ExportProgress(self.source.done, self.source.frames))
+            self.on_progress(ExportProgress(self.source.done, self.source.frames))
 
     def _report(
         self, arm: ExportedArm, sink: Sink, reader: ArmFrameReader, history: History

@@ -247,7 +247,7 @@ class History:
         """Return the frames of a message, or ``None`` if none was heard yet."""
         return self._samples.get(message)
 
-    def heard(self) -> Collection[Samples]:
+    def all_samples(self) -> Collection[Samples]:
         """Return the samples of every message heard so far."""
         return self._samples.values()
 

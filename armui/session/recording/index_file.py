@@ -84,7 +84,7 @@ class StandingFrames:
     def __init__(self) -> None:
         self._last: dict[int, Any] = {}
         self._remembered: dict[int, deque[Any]] = {}
-        self._told_s = -np.inf
+        self._reported_s = -np.inf
 
     def add_rows(self, rows: FrameRows) -> NDArray[np.void] | None:
         """Process some frames.
@@ -105,9 +105,9 @@ class StandingFrames:
                 kept = self._remembered.setdefault(int(keys[place]), deque(maxlen=REMEMBERED))
                 kept.append(table[place])
         now_s = float(rows.times_s[-1]) if len(rows) else -np.inf
-        if now_s - self._told_s < _EVERY_S:
+        if now_s - self._reported_s < _EVERY_S:
             return None
-        self._told_s = now_s
+        self._reported_s = now_s
         rows_kept = [row for key, row in self._last.items() if key not in self._remembered]
         for kept in self._remembered.values():
             rows_kept += kept

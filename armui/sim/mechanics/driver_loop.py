@@ -57,7 +57,7 @@ class DriverLoop:
         self._weight = weight
         self._dynamics = JointDynamics()
         self._setpoints: dict[int, DriverSetpoint] = {}
-        self._told: DriverLaw | None = None
+        self._law: DriverLaw | None = None
         self._frame: tuple[object, ...] = ()
         self._zeros_rad: Values = np.zeros(JOINT_COUNT)
         self._stops_rad: tuple[Values, Values] = (self._zeros_rad, self._zeros_rad)
@@ -86,13 +86,13 @@ class DriverLoop:
             self._speeds_rad_s[index] = radians(speed_deg_s)
             self.torques_nm = {**self.torques_nm, index: 0.0}
         self._setpoints[index] = setpoint
-        self._told = None
+        self._law = None
 
     def void(self, indices: Iterable[int] = range(JOINT_COUNT)) -> None:
         """Removes joints (0–5) from the loop: something else holds or moves them now."""
         for index in indices:
             if self._setpoints.pop(index, None) is not None:
-                self._told = None
+                self._law = None
             self._speeds_rad_s[index] = 0.0
         self.torques_nm = {i: self.torques_nm[i] for i in self._setpoints}
 
@@ -108,16 +108,16 @@ class DriverLoop:
         """
         weight = self._weight
         self._look_at_frame(stops)
-        told = self._told or self._new_law()
+        law = self._law or self._new_law()
         loads = weight.payload_kg, weight.told_kg, weight.down, weight.pushes_nm
-        conditions = (told, positions_deg, self._frame, loads)
+        conditions = (law, positions_deg, self._frame, loads)
         resting = self._resting
         if resting and all(map(is_, resting[:3], conditions)) and resting[3] == loads:
             return positions_deg, STANDSTILL
         zeros_rad = self._zeros_rad
         joints, speeds = self._dynamics.step(
             weight.body,
-            self._with_weight(told, positions_deg),
+            self._with_weight(law, positions_deg),
             np.radians(positions_deg) + zeros_rad,
             self._speeds_rad_s,
             stops_rad=self._stops_rad,
@@ -135,7 +135,7 @@ class DriverLoop:
         speeds_deg_s = tuple(np.degrees(speeds).tolist())
         if not any(speeds_deg_s):
             there = positions_deg if _same(there, positions_deg) else there
-            self._resting = (told, there, self._frame, loads)
+            self._resting = (law, there, self._frame, loads)
         return there, speeds_deg_s
 
     def _look_at_frame(self, stops: Sequence[JointLimits]) -> None:
@@ -150,7 +150,7 @@ class DriverLoop:
             for name in ("min_deg", "max_deg")
         )
         self._stops_rad = low, high
-        self._told = None
+        self._law = None
 
     def _new_law(self) -> DriverLaw:
         law = DriverLaw()
@@ -162,7 +162,7 @@ class DriverLoop:
             law.torques_nm[index] = each.torque_nm
             law.driven[index] = True
         law.positions_rad += self._zeros_rad
-        self._told = law
+        self._law = law
         return law
 
     def _with_weight(self, law: DriverLaw, positions_deg: SixValues) -> DriverLaw:

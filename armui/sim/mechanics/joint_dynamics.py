@@ -203,7 +203,7 @@ class _Interval:
         self._load = load
         self._law = law
         self._viscous = viscous
-        self._told = law.torques_nm + law.kp * law.positions_rad + law.kd * law.speeds_rad_s
+        self._constant_nm = law.torques_nm + law.kp * law.positions_rad + law.kd * law.speeds_rad_s
         quarter = dt_s / 4.0 * law.kp
         self._loss = (law.kd + viscous) / 2.0 + quarter
         self._braking = law.kd + 2.0 * quarter
@@ -213,13 +213,13 @@ class _Interval:
 
     def right(self, joints: Values, speeds: Values) -> Values:
         """Return the right-hand side of the rule, without friction and stops."""
-        push = self._told - self._law.kp * joints + self._load - self._loss * speeds
+        push = self._constant_nm - self._law.kp * joints + self._load - self._loss * speeds
         side: Values = self._mass @ speeds + self.dt_s * push
         return side
 
     def torques(self, joints: Values, mean_speeds: Values) -> Values:
         """Return the drivers' torques in a step, from its start and the mean speeds."""
-        return self._told - self._law.kp * joints - self._braking * mean_speeds
+        return self._constant_nm - self._law.kp * joints - self._braking * mean_speeds
 
     def solve(self, moves: Flags, right: Values) -> Values:
         """Return the speeds after a step of the moving joints; the others stand still."""

@@ -45,7 +45,7 @@ class HandGuiding:
         self._goal_deg = tuple(joints_deg)
         self._speed_deg_s = speed_deg_s
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Releases the arm and its jaws, which stay where they are."""
         self._goal_deg = None
         self._speeds_deg_s = STANDSTILL
@@ -206,7 +206,7 @@ class Mechanics:
         """The torques of the drivers that follow setpoints without a plan, by joint (0–5)."""
         return self._loop.torques_nm
 
-    def let_go(self, indices: Iterable[int]) -> None:
+    def drop_setpoints(self, indices: Iterable[int]) -> None:
         """Leaves motors powered without a setpoint: their joints fall."""
         self._hand = None
         for index in indices:
@@ -281,7 +281,7 @@ class Mechanics:
         without a plan, which are dropped: those joints fall until the next setpoint.
         """
         self.positions_deg = tuple(positions_deg)
-        self.let_go(list(self.driver_torques_nm))
+        self.drop_setpoints(list(self.driver_torques_nm))
         self._place()
         self._read_motion()
 

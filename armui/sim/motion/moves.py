@@ -138,7 +138,7 @@ class DirectControl:
         elif was_direct:
             condition.needs_reset = not self._quirks.exits_by_mode_word
         if was_direct or condition.direct:
-            self._mechanics.let_go(range(JOINT_COUNT))
+            self._mechanics.drop_setpoints(range(JOINT_COUNT))
 
     def take_frame(self, name: str, signals: dict[str, float]) -> bool:
         """Handles a frame 0x15A–0x15F; returns whether it was one. Outside MIT it has no effect."""
@@ -163,7 +163,7 @@ class DirectControl:
             return
         off = [index for index in indices if not self._mechanics.powered[index]]
         self._mechanics.power_on(off)
-        self._mechanics.let_go(off)
+        self._mechanics.drop_setpoints(off)
 
     def _set(self, index: int, signals: dict[str, float]) -> None:
         sign = self._quirks.mit_signs[index]

@@ -118,8 +118,8 @@ class FileStore:
             OSError: The folder cannot be read.
         """
         self._index.follow()
-        looks = (self._look(path, stamp) for path, stamp in self._all_files())
-        found = [kept for kept in looks if kept is not None]
+        files = (self._stored_file(path, stamp) for path, stamp in self._all_files())
+        found = [kept for kept in files if kept is not None]
         self._index.keep_only([self._key(kept.path) for kept in found], self.closed)
         self._index.save()
         return _by_name(found)
@@ -177,7 +177,7 @@ class FileStore:
         self.folders = tuple(folders)
         return found
 
-    def _look(self, path: Path, stamp: Stamp) -> StoredFile | None:
+    def _stored_file(self, path: Path, stamp: Stamp) -> StoredFile | None:
         """Return the entry of a file, which is opened only if it is new or has changed."""
         key = self._key(path)
         entry = self._index.entry(key, stamp)

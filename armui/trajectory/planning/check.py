@@ -427,7 +427,7 @@ def _findings(
         astray = None if profile is None else profile.astray_deg.astype(float) * capped
         for carried, legs in _carried_legs(content, path, request):
             findings += _broken(path, legs, carried, request, astray)
-        findings = _tell_approach(findings, path)
+        findings = _marked_approach(findings, path)
     if any(each.cycle > 1 and each.severity is Severity.ERROR for each in findings):
         # The error of a later cycle already says why the cycles do not repeat.
         findings = [each for each in findings if each.kind != NEVER_REPEATS]
@@ -597,7 +597,7 @@ def _is_recorded(path: PlannedPath) -> bool:
     return path.expected_s == ()
 
 
-def _tell_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
+def _marked_approach(findings: Sequence[Finding], path: PlannedPath) -> list[Finding]:
     """Mark the findings on the way from the arm's present place to the first point."""
     first = int(path.rows[0]) if len(path.rows) else 0
     return [

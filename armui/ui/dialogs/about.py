@@ -111,9 +111,9 @@ class AboutDialog(ArmDialog):
         )
         system = f"{platform.system()} {platform.release()} {platform.machine()}"
         runs_on = f"Qt {qVersion()}, Python {platform.python_version()}, {system}"
-        return "\n".join((f"armui {__version__} – {way}", runs_on, self._said_of_files()))
+        return "\n".join((f"armui {__version__} – {way}", runs_on, self._files_text()))
 
-    def _said_of_files(self) -> str:
+    def _files_text(self) -> str:
         found = self._taken_over
         if found is None:
             return self.tr("No files of another version were taken over.")

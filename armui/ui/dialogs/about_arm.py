@@ -25,7 +25,7 @@ from armui.control.arm_controller import ArmController
 from armui.control.link.link_state import LinkState
 from armui.control.operating_state import OperatingState
 from armui.doctor.facts import LinkFacts
-from armui.doctor.probes.can_devices import look_at_links
+from armui.doctor.probes.can_devices import probe_links
 from armui.protocol.addressing import Addressing
 from armui.protocol.generation import Generation
 from armui.ui import format as fmt
@@ -114,8 +114,8 @@ def about_rows(
     values = {
         "model": _model(now),
         "firmware": _untold(now) if state.firmware is None else state.firmware,
-        "date": _told(state, now, "iso_date"),
-        "hardware": _told(state, now, "hardware"),
+        "date": _identity_text(state, now, "iso_date"),
+        "hardware": _identity_text(state, now, "hardware"),
         "node": _node(state, now),
         "generation": _generation(now),
         "device": _device(now.device),
@@ -163,7 +163,7 @@ def _model(now: OperatingState) -> str:
     return text.format(model=name)
 
 
-def _told(state: ArmState, now: OperatingState, field: str) -> str:
+def _identity_text(state: ArmState, now: OperatingState, field: str) -> str:
     """Return a field of the arm's identity, or in words why it is not known."""
     found = "" if state.identity is None else str(getattr(state.identity, field))
     return found or _untold(now)
@@ -336,9 +336,9 @@ class AboutArmDialog(ArmDialog):
         area.setWidget(self._grid_widget)
         area.viewport().setAutoFillBackground(False)
         self._grid_widget.setAutoFillBackground(False)
-        self._said = text_label("about_arm_said", rank="muted")
+        self._copied_label = text_label("about_arm_said", rank="muted")
         self.body.addWidget(area, 1)
-        fill(self.footer, self.copy_button, self.inspect_button, (self._said, 1))
+        fill(self.footer, self.copy_button, self.inspect_button, (self._copied_label, 1))
         fill(self.footer, CloseButton(self, on_enter=True))
 
     def retranslate_ui(self) -> None:
@@ -352,8 +352,8 @@ class AboutArmDialog(ArmDialog):
         super().showEvent(event)
         if not event.spontaneous():
             self._before = self._rate = None
-            self._said.clear()
-            self._look_at_links()
+            self._copied_label.clear()
+            self._probe_links()
             self._refresh()
 
     def text(self) -> str:
@@ -363,7 +363,7 @@ class AboutArmDialog(ArmDialog):
     @copy_button.pressed
     def _on_copy(self) -> None:
         QGuiApplication.clipboard().setText(self.text())
-        self._said.setText(self.tr("Copied: paste it into a mail."))
+        self._copied_label.setText(self.tr("Copied: paste it into a mail."))
 
     @inspect_button.pressed
     def _on_inspect(self) -> None:
@@ -371,15 +371,15 @@ class AboutArmDialog(ArmDialog):
 
     def _on_state_changed(self) -> None:
         if self.isVisible():
-            self._look_at_links()
+            self._probe_links()
             self._refresh()
 
-    def _look_at_links(self) -> None:
+    def _probe_links(self) -> None:
         device = self._controller.operating_state.device
         if self._looking or device is None or device.interface != "socketcan":
             return
         self._looking = True
-        self._background.begin_here(Job(self._on_links), look_at_links)
+        self._background.begin_here(Job(self._on_links), probe_links)
 
     def _on_links(self, links: tuple[LinkFacts, ...] | Refusal) -> None:
         self._looking = False

@@ -81,14 +81,14 @@ class AdapterLine(Translated, QWidget):
 
     Attributes:
         listens_elsewhere: Returns whether the owner listens to an interface at `changed`, and calls
-            `tell_heard` then: two programs that read one adapter take each other's frames.
+            `show_heard` then: two programs that read one adapter take each other's frames.
 
     Signals:
         changed: The helper has changed something: earlier findings are outdated.
     """
 
     changed = Signal()
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
     _heard = Signal(object, object)
 
     def __init__(
@@ -117,7 +117,7 @@ class AdapterLine(Translated, QWidget):
         in_row((self._line, 1), self.cancel_button, on=self, spacing=8, margins=0)
         self.cancel_button.clicked.connect(self.cancel)
         # queued: an answer comes in another thread
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self._heard.connect(self._on_heard, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
         self.hide()
@@ -155,27 +155,29 @@ class AdapterLine(Translated, QWidget):
         self._end_listening()
         refusal = why_not_switch(remedy[0], remedy[1], self._controller.operating_state)
         if refusal is not None:
-            self._say(partial(words.refusal, refusal), Level.WARNING)
+            self._show_message(partial(words.refusal, refusal), Level.WARNING)
             return
         self._number += 1
         number = self._number
         self._remedy, self._shown = remedy, shown
-        self._say(self.tr("The system asks for the administrator's password…"), busy=True)
-        self._change = self._begin(remedy, lambda answer: self._told.emit(number, answer), BY_ROOT)
+        self._show_message(self.tr("The system asks for the administrator's password…"), busy=True)
+        self._change = self._begin(
+            remedy, lambda answer: self._answered.emit(number, answer), BY_ROOT
+        )
 
     def cancel(self) -> None:
         """Cancel; a change that has begun is completed."""
         if self._change is not None:
             self._change.end()
             self._change = None
-            self._say(self.tr("Cancelled. The system finishes what had begun."))
+            self._show_message(self.tr("Cancelled. The system finishes what had begun."))
         self._end_listening()
         self._number += 1
         self.cancel_button.hide()
 
     # Results of background work ---------------------------------------------------------------
 
-    def _on_told(self, number: int, answer: Answer) -> None:
+    def _on_answered(self, number: int, answer: Answer) -> None:
         if number != self._number or self._change is None:
             return
         if isinstance(answer, Planned):
@@ -184,7 +186,7 @@ class AdapterLine(Translated, QWidget):
         self._change = None
         if isinstance(answer, Refusal):
             self._forbidden = answer.reason == ADAPTER_NOT_AUTHORISED
-            self._say(partial(words.refusal, answer), Level.FAULT)
+            self._show_message(partial(words.refusal, answer), Level.FAULT)
             self.changed.emit()
             return
         self._on_done(answer)
@@ -195,15 +197,15 @@ class AdapterLine(Translated, QWidget):
         refusal = why_not_switch(verb, subject, self._controller.operating_state)
         changed = self._shown is not None and self._shown != planned
         if refusal is None and not changed and self._change is not None:
-            self._say(self.tr("Under way…"), busy=True)
+            self._show_message(self.tr("Under way…"), busy=True)
             self._change.go()
             return
         self.cancel()
         if refusal is not None:
-            self._say(partial(words.refusal, refusal), Level.WARNING)
+            self._show_message(partial(words.refusal, refusal), Level.WARNING)
         else:
             said = self.tr("The adapter is not the one that was shown: nothing was written.")
-            self._say(said, Level.WARNING)
+            self._show_message(said, Level.WARNING)
 
     def _on_done(self, done: Done) -> None:
         verb, subject = self._remedy[:2]
@@ -211,19 +213,19 @@ class AdapterLine(Translated, QWidget):
             self._listen(subject)
         elif verb == "down":
             said = self.tr("{channel} is switched off.").format(channel=subject)
-            self._say(said, Level.DONE)
-        elif done.told.get("not_told"):
+            self._show_message(said, Level.DONE)
+        elif done.result.get("not_told"):
             said = self.tr("Done; it takes effect at the next start of this computer.")
-            self._say(said, Level.DONE)
+            self._show_message(said, Level.DONE)
         else:
             said = self.tr("Done; it takes effect when the adapter is plugged in again.")
-            self._say(said, Level.DONE)
+            self._show_message(said, Level.DONE)
         self.changed.emit()
 
     def _listen(self, interface: str) -> None:
         """Listen to the interface: only received frames prove that it works."""
         said = self.tr("{channel} is switched on; listening whether anything is heard…")
-        self._say(said.format(channel=interface), busy=True)
+        self._show_message(said.format(channel=interface), busy=True)
         number = self._number
         device = self._controller.operating_state.device
         if device is not None and str(device.channel) == interface:
@@ -244,15 +246,15 @@ class AdapterLine(Translated, QWidget):
         count = self._controller.state.frames - self._frames
         if count > 0:
             said = self.tr("{channel} is switched on, and {count} frames were heard.")
-            self._say(said.format(channel=interface, count=count), Level.DONE)
+            self._show_message(said.format(channel=interface, count=count), Level.DONE)
             return
         said = self.tr(
             "{channel} is switched on, but nothing is heard: is the arm powered, the CAN cable "
             "plugged in, the bit rate the arm's?"
         )
-        self._say(said.format(channel=interface), Level.WARNING)
+        self._show_message(said.format(channel=interface), Level.WARNING)
 
-    def tell_heard(self, findings: list[Diagnosis] | str) -> None:
+    def show_heard(self, findings: list[Diagnosis] | str) -> None:
         """Show the findings of the owner's examination, if this line waits for them."""
         interface, self._waits_for = self._waits_for, ""
         if not interface:
@@ -267,19 +269,19 @@ class AdapterLine(Translated, QWidget):
             return
         self._listening = None
         if isinstance(findings, str):
-            self._say(findings, Level.FAULT)
+            self._show_message(findings, Level.FAULT)
             return
         of_arm = [each for each in findings if each.section is Section.ARM]
         good = any(each.kind == ARM for each in of_arm)
         if not of_arm:  # the adapter is gone again, or the arm was not examined
             said = self.tr("{channel}: nothing was found out. Run the diagnosis again.")
-            self._say(said.format(channel=self._remedy[1]), Level.WARNING)
+            self._show_message(said.format(channel=self._remedy[1]), Level.WARNING)
             return
-        self._say(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
+        self._show_message(WORDS.text(of_arm[0]), Level.DONE if good else Level.WARNING)
 
     # Appearance -------------------------------------------------------------------------------
 
-    def _say(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
+    def _show_message(self, text: Words, level: Level = Level.INFO, *, busy: bool = False) -> None:
         self._line.show_message(text, level)
         self.cancel_button.setVisible(busy)
         self.setVisible(bool(text))
@@ -294,7 +296,7 @@ class AdapterLine(Translated, QWidget):
         """Cancel and clear the line, because the window closes."""
         self.cancel()
         self._forbidden = False
-        self._say("")
+        self._show_message("")
 
 
 class KeepDialog(ArmDialog):
@@ -308,7 +310,7 @@ class KeepDialog(ArmDialog):
         begin: Starts a change; here only for its plan, without root's rights.
     """
 
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
 
     agree_button = Act("Write these files", named="adapter_agree", primary=True)
 
@@ -335,7 +337,7 @@ class KeepDialog(ArmDialog):
         self.files = named("adapter_files", QPlainTextEdit(readOnly=True))
         self._note = text_label(rank="muted", wraps=True, plain=True)
         self._build()
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self._timer = QTimer(self, singleShot=True, interval=_TYPED_MS)
         self._timer.timeout.connect(self._plan)
         self.name_edit.textChanged.connect(self._on_typed)
@@ -384,7 +386,7 @@ class KeepDialog(ArmDialog):
         self._forget_plan()
         number = self._number
         self._change = self._begin(
-            self._words(), lambda answer: self._told.emit(number, answer), BY_ANYBODY
+            self._words(), lambda answer: self._answered.emit(number, answer), BY_ANYBODY
         )
 
     def _forget_plan(self) -> None:
@@ -394,7 +396,7 @@ class KeepDialog(ArmDialog):
             self._change.end()
             self._change = None
 
-    def _on_told(self, number: int, answer: Answer) -> None:
+    def _on_answered(self, number: int, answer: Answer) -> None:
         if number != self._number:
             return
         if self._change is not None:

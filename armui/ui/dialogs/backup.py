@@ -61,7 +61,7 @@ _SIZE_PX: Final = (860, 640)
 _MOST_BEYOND: Final = 8
 """The most values beyond the factory's that the question before restoring lists."""
 _NARROWEST_COLUMN_PX: Final = 84
-Said = tuple[str, Level]
+MessageText = tuple[str, Level]
 """A text and its severity."""
 
 
@@ -130,7 +130,7 @@ def _name(model: PiperModel | None) -> str:
     return fmt.NOTHING if model is None else model_data(model).name
 
 
-def saved_text(path: Path, count: int, missing: int) -> Said:
+def saved_text(path: Path, count: int, missing: int) -> MessageText:
     """Return the text that a file was written, with the number of parameters missing in it."""
     text = QCoreApplication.translate("BackupDialog", "Saved {count} parameters to {path}.")
     if missing > 0:
@@ -142,7 +142,7 @@ def saved_text(path: Path, count: int, missing: int) -> Said:
     return text, Level.WARNING if missing > 0 else Level.DONE
 
 
-def restored_text(count: int, failed: Sequence[Refusal | None]) -> Said:
+def restored_text(count: int, failed: Sequence[Refusal | None]) -> MessageText:
     """Return the text on the result of restoring.
 
     Args:
@@ -195,7 +195,7 @@ class BackupModel(TableModel):
         super().__init__()
         self._cell = cell
         self._rows: list[ComparisonRow] = []
-        self._told: list[tuple[ComparisonRow, SettingCellState]] = []
+        self._shown_cells: list[tuple[ComparisonRow, SettingCellState]] = []
         self._chosen: set[Parameter] = set()
         self._restored: set[Parameter] = set()
 
@@ -220,11 +220,14 @@ class BackupModel(TableModel):
         same = [row.parameter for row in rows] == [row.parameter for row in self._rows]
         if not same:
             self.beginResetModel()
-        told, self._told = self._told, [(row, self._cell(row.parameter)) for row in rows]
+        told, self._shown_cells = (
+            self._shown_cells,
+            [(row, self._cell(row.parameter)) for row in rows],
+        )
         self._rows = list(rows)
         if not same:
             self.endResetModel()
-        elif other := [at for at, what in enumerate(self._told) if what != told[at]]:
+        elif other := [at for at, what in enumerate(self._shown_cells) if what != told[at]]:
             end = self._columns - 1  # only changed rows are reported, as the view measures each
             self.dataChanged.emit(self.index(other[0], 0), self.index(other[-1], end))
         self.ticked.emit()
@@ -340,7 +343,7 @@ class BackupDialog(ArmDialog):
         self._reader = ParameterReader(self._settings, self)
         self._backup: Backup | None = None
         self._path: Path | None = None
-        self._said: tuple[str, Level] = ("", Level.INFO)
+        self._shown_message: tuple[str, Level] = ("", Level.INFO)
         self._restoring: dict[Parameter, float] = {}
         self._could_read = False
         self._model = BackupModel(self._settings.cell)
@@ -422,7 +425,9 @@ class BackupDialog(ArmDialog):
     def _on_read(self) -> None:
         if self._reader.running:
             self._reader.stop()
-            self._say(self.tr("Reading was stopped; what was read is shown."), Level.WARNING)
+            self._show_message(
+                self.tr("Reading was stopped; what was read is shown."), Level.WARNING
+            )
         else:
             self._start_reading()
 
@@ -432,7 +437,7 @@ class BackupDialog(ArmDialog):
         self._could_read = bool(self._known())
         # a refusal need not be stored: `_show_all` shows the reason for as long as it holds
         self._reader.start()
-        self._say("")
+        self._show_message("")
 
     def _on_save(self) -> None:
         backup = self._now()
@@ -460,7 +465,7 @@ class BackupDialog(ArmDialog):
             return
         self._path = path
         missing = len(self._known()) - len(backup.values)
-        self._say(*saved_text(path, len(backup.values), missing))
+        self._show_message(*saved_text(path, len(backup.values), missing))
 
     def _on_open(self) -> None:
         choose_file(
@@ -497,7 +502,7 @@ class BackupDialog(ArmDialog):
         generation = self._controller.operating_state.generation
         firmware = self._controller.state.firmware
         model = self._controller.operating_state.model
-        self._say(difference_text(backup, generation, firmware, model), Level.WARNING)
+        self._show_message(difference_text(backup, generation, firmware, model), Level.WARNING)
 
     def _on_restore(self) -> None:
         chosen = self._model.chosen
@@ -522,7 +527,7 @@ class BackupDialog(ArmDialog):
 
     def _on_withdrawn(self, reason: Refusal) -> None:
         question = {"question": self.tr("Restore parameters"), "reason": words.refusal(reason)}
-        self._say(said(QUESTION_WITHDRAWN, question), Level.WARNING)
+        self._show_message(said(QUESTION_WITHDRAWN, question), Level.WARNING)
 
     def _beyond(self, chosen: dict[Parameter, float]) -> list[str]:
         """Return a line for each value that goes beyond the factory's values of this model."""
@@ -558,14 +563,14 @@ class BackupDialog(ArmDialog):
         if not self.isVisible():
             return
         if self._restoring and not self._settings.busy:
-            self._tell_restored()
+            self._show_restored()
         self._show_all()
 
-    def _tell_restored(self) -> None:
+    def _show_restored(self) -> None:
         cells = [self._settings.cell(parameter) for parameter in self._restoring]
         self._restoring = {}
         failed = [cell.refusal for cell in cells if cell.state is not CellState.SAVED]
-        self._say(*restored_text(len(cells), failed))
+        self._show_message(*restored_text(len(cells), failed))
 
     def _on_state(self, _state: ArmState) -> None:
         """Compare again when values arrive that another panel or host has asked the arm for."""
@@ -619,7 +624,7 @@ class BackupDialog(ArmDialog):
         self._origin.setText(origin_text(self._backup, self._path))
         self._show_possible()
         unreachable = self._controller.operating_state.unreachable
-        text, level = self._said
+        text, level = self._shown_message
         if unreachable is not None and not text:
             text, level = words.refusal(unreachable), Level.WARNING
         self._message.show_message(text, level)
@@ -648,8 +653,8 @@ class BackupDialog(ArmDialog):
             enable_or_explain(button, reason)
 
     def _refuse(self, refusal: Refusal) -> None:
-        self._say(words.refusal(refusal), Level.WARNING)
+        self._show_message(words.refusal(refusal), Level.WARNING)
 
-    def _say(self, text: str, level: Level = Level.INFO) -> None:
-        self._said = (text, level)
+    def _show_message(self, text: str, level: Level = Level.INFO) -> None:
+        self._shown_message = (text, level)
         self._show_all()

@@ -174,8 +174,8 @@ class ConfirmDialog(ArmDialog):
         self._asked_for = controller.mark if concerns_arm else None
         self._still = still
         # what the question is about may change while it is open: then it is withdrawn
-        controller.state_changed.connect(self._look)
-        controller.operating_state_changed.connect(self._look)
+        controller.state_changed.connect(self._check)
+        controller.operating_state_changed.connect(self._check)
         self.set_title(title)
         self._sign = QLabel()
         self._text = text_label(text=text, wraps=True, plain=True)
@@ -218,11 +218,11 @@ class ConfirmDialog(ArmDialog):
         else:
             return True
         self.reject()
-        self._controller.tell_withdrawn(self.windowTitle(), reason)
+        self._controller.report_withdrawn(self.windowTitle(), reason)
         self.withdrawn.emit(reason)
         return False
 
-    def _look(self) -> None:
+    def _check(self) -> None:
         if self.isVisible():
             self.holds()
 

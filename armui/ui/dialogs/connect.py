@@ -138,25 +138,25 @@ class AdapterTrouble(Translated, QWidget):
 
     Args:
         background: Runs the examination.
-        look: Returns the faults.
+        find_faults: Returns the faults.
         adapter: Sets an adapter up by a click; without it commands are shown for copying.
 
     Signals:
-        told: The text has changed, and with it the height it needs.
+        resized: The text has changed, and with it the height it needs.
     """
 
-    told = Signal()
+    resized = Signal()
 
     def __init__(
         self,
         background: Background,
-        look: Callable[[], list[Diagnosis]] = adapter_trouble,
+        find_faults: Callable[[], list[Diagnosis]] = adapter_trouble,
         adapter: AdapterLine | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("adapter_trouble")
         self._background = background
-        self._look = look
+        self._find_faults = find_faults
         self._adapter = adapter
         if adapter is not None:
             adapter.changed.connect(self.examine)
@@ -167,7 +167,7 @@ class AdapterTrouble(Translated, QWidget):
 
     def examine(self) -> None:
         """Examine the adapters again."""
-        self._background.begin_here(Job(self._take), self._look)
+        self._background.begin_here(Job(self._take), self._find_faults)
 
     def _take(self, findings: list[Diagnosis] | Refusal) -> None:
         self._findings = () if isinstance(findings, Refusal) else findings[:_MOST]
@@ -182,7 +182,7 @@ class AdapterTrouble(Translated, QWidget):
         for row in self._rows:
             self._column.addWidget(row)
         self.setVisible(bool(self._rows))
-        self.told.emit()
+        self.resized.emit()
 
 
 class ConnectDialog(ArmDialog):
@@ -237,7 +237,7 @@ class ConnectDialog(ArmDialog):
         self._manual.entered.connect(self._on_entered)
         self.model_choice.chosen.connect(self._refresh)
         if self._trouble is not None:
-            self._trouble.told.connect(self._make_room)
+            self._trouble.resized.connect(self._make_room)
             self._adapter.changed.connect(controller.search_devices)
         controller.devices_found.connect(self._on_devices_found)
         controller.searching_changed.connect(self._on_searching_changed)

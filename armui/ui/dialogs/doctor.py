@@ -111,7 +111,7 @@ class DoctorDialog(ArmDialog):
     report_button = Act("Report a problem…", named="doctor_report")
     again_button = Act("Run again", named="doctor_again", key="doctor.again")
     report_wanted = Signal()
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
 
     def __init__(
         self,
@@ -134,7 +134,7 @@ class DoctorDialog(ArmDialog):
         self.resize(*_SIZE_PX)
         self._adapter.changed.connect(self._on_adapter_changed)
         # queued, for an answer may come while the examination is being begun
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self.retranslate_ui()
 
     # Layout -----------------------------------------------------------------------------------
@@ -180,7 +180,7 @@ class DoctorDialog(ArmDialog):
         self._answer = None
         self._began = (time.monotonic(), self._controller.state.frames)
         self._under_way = self._examine(
-            self._arguments(), lambda answer: self._told.emit(number, answer)
+            self._arguments(), lambda answer: self._answered.emit(number, answer)
         )
         self._refresh()
 
@@ -220,7 +220,7 @@ class DoctorDialog(ArmDialog):
 
     # Results of background work ---------------------------------------------------------------
 
-    def _on_told(self, number: int, answer: Any) -> None:
+    def _on_answered(self, number: int, answer: Any) -> None:
         if number != self._number:
             return
         self._under_way = None
@@ -228,7 +228,7 @@ class DoctorDialog(ArmDialog):
         if not isinstance(answer, str):
             begun_s, frames = self._began
             self._answer = with_connected(self._controller, answer, frames=frames, begun_s=begun_s)
-        self._adapter.tell_heard(self._answer)
+        self._adapter.show_heard(self._answer)
         self._refresh()
 
     def _findings(self) -> list[Diagnosis]:

@@ -54,10 +54,10 @@ class FileExport(QObject):
         window: The parent of the file chooser.
 
     Signals:
-        said: The text on the result, and its :class:`Level`.
+        message_changed: The text on the result, and its :class:`Level`.
     """
 
-    said = Signal(str, object)
+    message_changed = Signal(str, object)
 
     def __init__(self, controller: ArmController, background: Background, window: QWidget) -> None:
         super().__init__(window)
@@ -94,9 +94,9 @@ class FileExport(QObject):
         if isinstance(result, Refusal):
             text = self.tr("Not saved: {path}. {reason}")
             text = text.format(path=path, reason=words.refusal(result))
-            self.said.emit(text, Level.FAULT)
+            self.message_changed.emit(text, Level.FAULT)
         else:
-            self.said.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
+            self.message_changed.emit(self.tr("Saved: {path}").format(path=path), Level.DONE)
 
 
 class FileDialog(QFileDialog):

@@ -75,12 +75,12 @@ class InspectionDialog(ArmDialog):
         self, controller: ArmController, background: Background, parent: QWidget | None = None
     ) -> None:
         super().__init__(controller, parent)
-        self._said: Refusal | None = None
+        self._refusal: Refusal | None = None
         self._shown: tuple[object, ...] = ()
         self._export = ReportExport(controller, background, self)
         self._build()
         self.resize(*_SIZE_PX)
-        self._export.said.connect(self._message.show_message)
+        self._export.message_changed.connect(self._message.show_message)
         self.amplitude.valueChanged.connect(self._on_amplitude)
         controller.state_changed.connect(self._on_changed)
         controller.operating_state_changed.connect(self._on_changed)
@@ -121,19 +121,19 @@ class InspectionDialog(ArmDialog):
         """Begin to watch how far each joint can swing."""
         super().showEvent(event)
         if not event.spontaneous():
-            self._said = None
+            self._refusal = None
             self._on_amplitude()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Stop watching the room; an inspection under way goes on, shown in the run's line."""
         super().hideEvent(event)
-        self._controller.inspection.look(None)
+        self._controller.inspection.set_amplitude(None)
 
     # -- what the operator does ---------------------------------------------------------------
 
     def _on_amplitude(self) -> None:
         if self.isVisible():
-            self._controller.inspection.look(float(self.amplitude.value()))
+            self._controller.inspection.set_amplitude(float(self.amplitude.value()))
             self._show()
 
     @begin_button.why_not
@@ -143,7 +143,7 @@ class InspectionDialog(ArmDialog):
 
     @begin_button.pressed
     def _on_begin(self) -> None:
-        self._said = refusal_of(self._controller.inspection.start(float(self.amplitude.value())))
+        self._refusal = refusal_of(self._controller.inspection.start(float(self.amplitude.value())))
         self._show()
 
     @save_button.why_not
@@ -168,7 +168,7 @@ class InspectionDialog(ArmDialog):
         under_way = inspection.joint is not None
         self.amplitude.setEnabled(not now.running)
         self.show_acts()
-        refusal = None if under_way else self._said or self._why_not_begin()
+        refusal = None if under_way else self._refusal or self._why_not_begin()
         said = words.why_not(refusal)
         if under_way:
             said = self.tr("J{joint} swings. Keep clear of the arm.").format(joint=inspection.joint)

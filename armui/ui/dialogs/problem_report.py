@@ -59,7 +59,7 @@ class ProblemReportDialog(ArmDialog):
         Command("report.bus", Text("ProblemReportDialog", "Add the last minutes of the bus")),
     )
     save_button = Act("Save the report…", named="report_save", key="report.save", primary=True)
-    _told = Signal(object, object)
+    _answered = Signal(object, object)
 
     def __init__(
         self,
@@ -85,7 +85,7 @@ class ProblemReportDialog(ArmDialog):
         self._build()
         self.resize(*_SIZE_PX)
         # queued, for an answer may come while the examination is being begun
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self.list.currentRowChanged.connect(self._show_file)
         self.bus_box.clicked.connect(self._on_bus)
         self._late = QTimer(self, singleShot=True, interval=_HANGS_MS)
@@ -145,7 +145,7 @@ class ProblemReportDialog(ArmDialog):
         # the examination must not open an adapter in use: they would take each other's frames
         connected = self._controller.operating_state.device is not None
         self._under_way = self._examine(
-            ["--no-listen"] if connected else [], lambda answer: self._told.emit(number, answer)
+            ["--no-listen"] if connected else [], lambda answer: self._answered.emit(number, answer)
         )
         self._refresh()
 
@@ -189,7 +189,7 @@ class ProblemReportDialog(ArmDialog):
         """Return what is in the report now."""
         return self._files if self._bus is None else (*self._files, self._bus)
 
-    def _on_told(self, number: int, answer: list[Diagnosis] | str) -> None:
+    def _on_answered(self, number: int, answer: list[Diagnosis] | str) -> None:
         if number != self._number:
             return
         self._under_way = None

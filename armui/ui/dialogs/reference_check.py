@@ -96,7 +96,7 @@ class ReferenceDialog(ArmDialog):
         super().__init__(controller, parent)
         self._background = background
         self._photo = ""
-        self._said: Refusal | None = None
+        self._refusal: Refusal | None = None
         self._build()
         self.off_field.value_edited.connect(self._show)
         controller.state_changed.connect(self._on_changed)
@@ -150,7 +150,7 @@ class ReferenceDialog(ArmDialog):
         """Show the present state and the photo of the reference pose."""
         super().showEvent(event)
         if not event.spontaneous():
-            self._said = None
+            self._refusal = None
             self._show()
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -174,25 +174,25 @@ class ReferenceDialog(ArmDialog):
         check = self._check
         return check.next if check is not None and check.looked else None
 
-    def _tell(self, result: Started | Refusal | None) -> None:
-        self._said = refusal_of(result)
+    def _show_result(self, result: Started | Refusal | None) -> None:
+        self._refusal = refusal_of(result)
         self._show()
 
     @begin_button.pressed
     def _on_begin(self) -> None:
-        self._tell(self._controller.reference.begin())
+        self._show_result(self._controller.reference.begin())
 
     @allow_button.pressed
     def _on_allow(self) -> None:
-        self._tell(self._controller.reference.allow())
+        self._show_result(self._controller.reference.allow())
 
     @finish_button.pressed
     def _on_finish(self) -> None:
-        self._tell(self._controller.reference.finish())
+        self._show_result(self._controller.reference.finish())
 
     @look_button.pressed
     def _on_looked(self) -> None:
-        self._controller.reference.look(
+        self._controller.reference.note_elsewhere(
             [j for j, box in self._elsewhere.items() if box.isChecked()]
         )
         self._show()
@@ -217,10 +217,10 @@ class ReferenceDialog(ArmDialog):
                 "hands. The other joints keep their power."
             ).format(joint=step.joint),
             action_label=self.tr("Motor off"),
-            on_confirmed=lambda: self._tell(self._controller.motors.disable(step.joint)),
+            on_confirmed=lambda: self._show_result(self._controller.motors.disable(step.joint)),
             hold=True,
             still=lambda: self._step == step,
-            on_withdrawn=self._tell,
+            on_withdrawn=self._show_result,
         )
 
     @drive_button.why_not
@@ -232,7 +232,7 @@ class ReferenceDialog(ArmDialog):
     def _on_drive(self) -> None:
         step = self._step
         if step is not None:
-            self._tell(self._controller.reference.drive(step.joint))
+            self._show_result(self._controller.reference.drive(step.joint))
 
     @mark_button.why_not
     def _why_not_at_mark(self) -> str:
@@ -294,12 +294,12 @@ class ReferenceDialog(ArmDialog):
             ),
             action_label=self.tr("Keep this pose"),
             on_confirmed=self._on_teach,
-            on_withdrawn=self._tell,
+            on_withdrawn=self._show_result,
         )
 
     def _on_teach(self) -> None:
-        self._tell(self._controller.reference.teach())
-        if self._said is None:
+        self._show_result(self._controller.reference.teach())
+        if self._refusal is None:
             choose_file(
                 self,
                 self._controller,
@@ -340,7 +340,7 @@ class ReferenceDialog(ArmDialog):
         self.show_acts()
         self._task.setText(self._task_text(record, check, step))
         self._show_photo(record.photo if step is not None and step.joint in (2, 3) else "")
-        said = words.why_not(self._said)
+        said = words.why_not(self._refusal)
         self._message.show_message(said, Level.WARNING if said else Level.INFO)
 
     def _show_joints(self, doubtful: Sequence[int], step: CheckStep | None) -> None:

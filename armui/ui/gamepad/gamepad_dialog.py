@@ -361,7 +361,7 @@ class GamepadDialog(ArmDialog):
         if self._buttons is not None and self._shown is not None:
             self._buttons.show_assignment(self._pilot.buttons_of(self._shown))
         self.copy_button.setVisible(bool(view.missing))
-        self._say(view)
+        self._show_problems(view)
         self._show_live()
 
     def _list_devices(self, view: PilotView) -> None:
@@ -410,7 +410,7 @@ class GamepadDialog(ArmDialog):
             return None
         return next((each for each in snapshot.devices if each.info == self._shown), None)
 
-    def _say(self, view: PilotView) -> None:
+    def _show_problems(self, view: PilotView) -> None:
         texts = [self._problem] if self._problem else []
         if view.missing:
             text = self.tr("Not installed: {packages}. In a terminal: {command}")

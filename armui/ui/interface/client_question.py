@@ -108,7 +108,7 @@ class ClientQuestion(ConfirmDialog):
         self._asked = asked
         self._seconds = named("client_seconds_left", text_label(rank="muted"))
         self._tick = QTimer(self, interval=_TICK_MS)
-        self._tick.timeout.connect(self._say_left)
+        self._tick.timeout.connect(self._show_time_left)
         self.finished.connect(self._tick.stop)
         self._tick.start()
 
@@ -140,13 +140,13 @@ class ClientQuestion(ConfirmDialog):
             program=program, process=self._client.process
         )
 
-    def _say_left(self) -> None:
+    def _show_time_left(self) -> None:
         left_s = max(0, round(GRANT_WITHIN_S - self._interface.seconds_since(self._since_s)))
         said = self.tr("Refused by itself in {seconds} s.").format(seconds=left_s)
         if said != self._seconds.text():
             self._seconds.setText(said)
 
-    def _say(self) -> tuple[str, str, str]:
+    def _set_texts(self) -> tuple[str, str, str]:
         """Set the texts of its own, and return title, text and the word on the button."""
         raise NotImplementedError
 
@@ -155,12 +155,12 @@ class ClientQuestion(ConfirmDialog):
         super().retranslate_ui()
         if not self._built:
             return
-        title, text, label = self._say()
+        title, text, label = self._set_texts()
         self.set_title(title)
         self.show_text(text)
         self.action_button.setText(label)
         self.cancel_button.setText(self.tr("Refuse"))
-        self._say_left()
+        self._show_time_left()
 
 
 class GrantDialog(ClientQuestion):
@@ -211,7 +211,7 @@ class GrantDialog(ClientQuestion):
         else:
             self._interface.decline()
 
-    def _say(self) -> tuple[str, str, str]:
+    def _set_texts(self) -> tuple[str, str, str]:
         """Set the texts of its own, and return title, text and the word on the button."""
         ask = self._ask
         title = self.tr("“{client}” asks for the arm").format(client=breakable(ask.client.name))
@@ -268,7 +268,7 @@ class ConsentDialog(ClientQuestion):
         """Let it be done, or refuse it."""
         self._interface.consent(given=given)
 
-    def _say(self) -> tuple[str, str, str]:
+    def _set_texts(self) -> tuple[str, str, str]:
         """Set the texts of its own, and return title, text and the word on the button."""
         consent = self._consent
         operation = operation_title(consent.title)

@@ -39,7 +39,7 @@ class ServedMark(Translated, QToolButton):
     def _recolor(self) -> None:
         self.retranslate_ui()
 
-    def _say(self, text: str, tip: str, *, warns: bool) -> None:
+    def _show_text(self, text: str, tip: str, *, warns: bool) -> None:
         self.setText(text)
         self.setToolTip(tip)
         self.setAccessibleName(text)
@@ -75,7 +75,7 @@ class InterfaceMark(ServedMark):
             tip = self.tr("The local interface is on; so many programs are connected.")
         else:
             text, tip = self.tr("Interface not served"), words.refusal(problem)
-        self._say(text, tip, warns=problem is not None)
+        self._show_text(text, tip, warns=problem is not None)
 
 
 class LiveMark(ServedMark):
@@ -110,4 +110,4 @@ class LiveMark(ServedMark):
                     "Frames dropped, as they were not sent in time: {lost}. How often a program "
                     "was seen not to keep up, and missed messages: {behind}."
                 ).format(lost=view.lost, behind=state.behind)
-        self._say(text, tip, warns=state.problem is not None or view.for_others)
+        self._show_text(text, tip, warns=state.problem is not None or view.for_others)

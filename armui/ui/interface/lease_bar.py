@@ -70,7 +70,7 @@ class LeaseBar(HasActs, Translated, QWidget):
         in_row(*row, on=self, spacing=10, margins=margins)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._timer = QTimer(self, interval=_TICK_MS)
-        self._timer.timeout.connect(self._say)
+        self._timer.timeout.connect(self._show_text)
         interface.changed.connect(self._on_changed)
         self._on_changed(interface.view)
 
@@ -95,10 +95,10 @@ class LeaseBar(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
         self.show_acts()
-        self._say()
+        self._show_text()
         self._recolor()
 
-    def _say(self) -> None:
+    def _show_text(self) -> None:
         view = self._interface.view
         text = self._idle(view) if view.lease is None else self._leased(view, view.lease)
         if text != self._text.text():

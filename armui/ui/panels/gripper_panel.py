@@ -25,7 +25,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.panels.motor_row import PowerMark
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, choice_group, describe, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.jog_button import JogButton
 from armui.ui.widgets.layouts import STRETCH, empty_grid, in_column, in_row, scrolled
@@ -135,7 +135,7 @@ class GripperRow(QWidget):
             f"{name}_slider", TrackSlider(figure.resolution, origin=0.0, marked=True)
         )
         self.measured = named(f"{name}_measured", ValueLabel(_WIDEST))
-        tell_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
+        set_quantities(self, *(f"{source}.{name}" for source in ("arm", "own", "other")))
         self.minus, self.plus = JogButton("−"), JogButton("+")
         self._label.setBuddy(self.field)
         grid = empty_grid(self, gaps=(6, 4), margins=0)
@@ -351,7 +351,7 @@ class GripperPanel(Panel):
 
     @property
     def _kind(self) -> _Kind:
-        return self._generation, self._controller.gripper.tells_angle
+        return self._generation, self._controller.gripper.reports_angle
 
     @property
     def _travel(self) -> GripperRow:
@@ -551,7 +551,7 @@ class GripperPanel(Panel):
     def _show_possible(self) -> None:
         gripper = self._controller.gripper
         why_no_angle = words.why_not(gripper.why_no_angle())
-        self._measure.show_choice(by_angle=gripper.tells_angle, why_not=why_no_angle)
+        self._measure.show_choice(by_angle=gripper.reports_angle, why_not=why_no_angle)
         no_move = why_not_move_gripper(self._controller.operating_state)
         self._travel.allow_steps(words.why_not(no_move))
         self.show_acts()
@@ -562,7 +562,7 @@ class GripperPanel(Panel):
             refusal = self._first_wrong()
         if refusal is not None and refusal.reason == BUSY and self._refusal is None:
             refusal = None  # no message is needed: the end of the request is reported
-        self._say(refusal, self._event)
+        self._show_refusal(refusal, self._event)
 
     def _describe(self) -> None:
         for rows in self._rows_of.values():

@@ -13,7 +13,7 @@ from armui.ui import format as fmt
 from armui.ui.theme import colors_of, scaled_font
 from armui.ui.widgets import painting, state_mark
 from armui.ui.widgets.buttons import describe
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.state_mark import Mark
 from armui.ui.widgets.text_label import ValueLabel
@@ -76,7 +76,7 @@ class MotorRow(Translated, QWidget):
         for key, label in self.figures.items():
             label.setObjectName(f"{key}_{joint}")
             kind = "motor_current" if key == "current" else key
-            tell_quantities(label, f"arm.{kind}.{joint}")
+            set_quantities(label, f"arm.{kind}.{joint}")
             label.setFixedWidth(FIGURE_PX)
         figures = in_row(
             self._mark, name, self.power, STRETCH, *self.figures.values(), spacing=COLUMN_GAP_PX

@@ -201,8 +201,8 @@ class Panel(HasActs, Translated, QWidget):
         self._show_message()
         return self._refusal is None
 
-    def _say(self, refusal: Refusal | None, event: Event | None = None) -> None:
-        """Say what stands in the way; if nothing does, what was told last; or nothing."""
+    def _show_refusal(self, refusal: Refusal | None, event: Event | None = None) -> None:
+        """Show a refusal, otherwise the last event, otherwise nothing."""
         if refusal is not None:
             self._message.show_message(words.refusal(refusal), level_of(refusal))
         elif event is not None:

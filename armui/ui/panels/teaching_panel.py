@@ -393,15 +393,15 @@ class TeachingPanel(Panel):
         return self._plan_note.text()
 
     def _show_message(self) -> None:
-        self._tell()
+        self._fill_message()
         self._share_room()
 
-    def _tell(self) -> None:
+    def _fill_message(self) -> None:
         controller = self._controller
         unreachable = self._unless_told(self._operating_state.unreachable)
         refusal = self._refusal or unreachable or self._withdrawn
         if refusal is not None:
-            self._say(refusal)
+            self._show_refusal(refusal)
         elif controller.teaching.pending is not None:
             text = self.tr("Waiting for the arm: {command}")
             command = TEACHING_COMMANDS.text(controller.teaching.pending)

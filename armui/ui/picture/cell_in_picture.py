@@ -95,7 +95,7 @@ class CellInPicture(QObject):
         if area is None or not self._switches["area"].isChecked():
             self._view.set_area(_as_confirmed(held, pale=pale), base)
             return
-        seen = self._controller.area_guard.look(self._controller.state)
+        seen = self._controller.area_guard.nearest_entries(self._controller.state)
         near = {each.zone.name for each in seen if each.gap_mm < area.margin_mm + _NEAR_MM}
         self._view.set_area(_as_confirmed((*area_picture(area, near), *held), pale=pale), base)
 

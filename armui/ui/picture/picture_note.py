@@ -43,8 +43,8 @@ class PictureNote(QLabel):
         self._end.timeout.connect(self.hide)
         self._view: ArmView | None = None
         self._place = 0
-        self._look = QTimer(self, interval=_LOOK_MS)
-        self._look.timeout.connect(self.find_place)
+        self._place_timer = QTimer(self, interval=_LOOK_MS)
+        self._place_timer.timeout.connect(self.find_place)
         self.hide()
 
     def stand_over(self, region: QWidget, view: ArmView) -> None:
@@ -74,15 +74,15 @@ class PictureNote(QLabel):
     def showEvent(self, event: QShowEvent) -> None:
         """Follow the arm's motion while the note is visible."""
         super().showEvent(event)
-        self._look.start()
+        self._place_timer.start()
         self.find_place()
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Stop looking for a better place while the note is hidden."""
-        self._look.stop()
+        self._place_timer.stop()
         super().hideEvent(event)
 
-    def say(
+    def show_message(
         self, words: str | Callable[[], str], level: Level = Level.INFO, *, stays: bool = False
     ) -> None:
         """Show a text; an empty text hides the note.

@@ -76,7 +76,7 @@ class PictureExport(FileExport):
         image = self._taken()
         if image is not None:
             QGuiApplication.clipboard().setImage(image)
-            self.said.emit(self.tr("Picture copied"), Level.DONE)
+            self.message_changed.emit(self.tr("Picture copied"), Level.DONE)
 
     def save(self) -> None:
         """Let the operator choose a file for the picture as it is now."""
@@ -91,7 +91,7 @@ class PictureExport(FileExport):
     def _taken(self) -> QImage | None:
         if not self._view.is_current:
             text = self.tr("The present picture is not drawn yet. Wait a moment, then try again.")
-            self.said.emit(text, Level.WARNING)
+            self.message_changed.emit(text, Level.WARNING)
             return None
         return self._view.grab_picture()
 
@@ -218,7 +218,7 @@ class PictureWork(QObject):
         self.bar = ViewBar(view, preferences)
         self.note = PictureNote()
         self._export = PictureExport(controller, view, background, window)
-        self._export.said.connect(self.note.say)
+        self._export.message_changed.connect(self.note.show_message)
         self._reach = self.bar.view_actions["reach"]
         self._reach.toggled.connect(self._show_reach)
         self._panel: Callable[[], QWidget | None] | None = None
@@ -244,7 +244,7 @@ class PictureWork(QObject):
         self._drag = TargetDrag(controller, view, preview, self.note, self._target, zone=self._zone)
         self.bar.handles_wanted.connect(self._drag.set_kind)
         self._drag.put_away.connect(lambda: self.bar.choose_handles(None))
-        preview.row_shown.connect(self._drag.look)
+        preview.row_shown.connect(self._drag.refresh)
         application = QApplication.instance()
         if isinstance(application, QApplication):
             application.focusChanged.connect(self._on_focus)
@@ -259,9 +259,9 @@ class PictureWork(QObject):
         """Set the function that returns the visible panel, whose target can be dragged."""
         self._panel = panel
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Move ghost and handles to the present target."""
-        self._drag.look()
+        self._drag.refresh()
 
     def _zone(self) -> ZoneTarget | None:
         """Return where a plane or box is typed, if that is seen; it can be dragged then."""

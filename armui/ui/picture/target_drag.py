@@ -352,7 +352,7 @@ class HandGuide(Protocol):
     def lead_to(self, joints_deg: Sequence[float], speed_deg_s: float = ...) -> None:
         """Lead all joints to six angles; the joint with the longest way turns at this speed."""
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Release the arm, which stays in place."""
 
     def switch(self, name: str, joint: int, *, begins: bool) -> None:
@@ -411,7 +411,7 @@ class LedArm(_InForce):
     def give_up(self, _angles_deg: tuple[float, ...]) -> None:
         """Release the arm; it is not led back."""
         if self._held is not None:
-            self._held.let_go()
+            self._held.release()
         self._held = None
 
 
@@ -456,13 +456,13 @@ class TargetDrag(QObject):
         self._last_deg: tuple[float, ...] = ()
         self._began_with: object = None
         self._refused = False
-        self._told: Refusal | Callable[[], str] | None = None
+        self._shown_note: Refusal | Callable[[], str] | None = None
         self._refusal: tuple[FindingMark, DragTarget | None, object] | None = None
         """The first contact of a refused motion, the target then, and its typed angles."""
         self.kind: HandleKind | None = None
-        self._look = QTimer(self, interval=_LOOK_MS)
-        self._look.timeout.connect(self.look)
-        self._look.start()
+        self._timer = QTimer(self, interval=_LOOK_MS)
+        self._timer.timeout.connect(self.refresh)
+        self._timer.start()
         view.handle_taken.connect(self._on_taken)
         view.handle_moved.connect(self._on_moved)
         view.handle_left.connect(self._on_left)
@@ -471,9 +471,9 @@ class TargetDrag(QObject):
     def _on_noticed(self, event: Event) -> None:
         """Hide the reason here if the message beside the pressed button already shows it."""
         if event.notice == REFUSED:
-            self.look()  # the press may have come right after the last digit
-            if event.params.get("reason") == self._told:
-                self._say(None)
+            self.refresh()  # the press may have come right after the last digit
+            if event.params.get("reason") == self._shown_note:
+                self._show_refusal(None)
 
     def set_kind(self, kind: HandleKind | None) -> None:
         """Show handles of another kind, or none with None."""
@@ -481,10 +481,10 @@ class TargetDrag(QObject):
             self._view.give_up_drag()
         self.kind = kind
         self._of_zone = kind is not None and self._zone() is not None
-        self._say(None)
-        self.look()
+        self._show_refusal(None)
+        self.refresh()
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Move ghost and handles to the present target; does nothing while hidden."""
         if self._held is not None:
             # during a drag the pointer places both; only another arm or another target ends it
@@ -519,7 +519,7 @@ class TargetDrag(QObject):
         before = self._refusal
         self._refusal = None if finding is None else (finding, target, typed)
         if self._refusal != before:
-            self.look()
+            self.refresh()
 
     def _show_target(self, target: DragTarget | None) -> None:
         """Show ghost and handles of a target, or where the way back inside the limits ends."""
@@ -540,12 +540,14 @@ class TargetDrag(QObject):
         if self._refusal is not None:
             finding = self._refusal[0]
             self._preview.show_target(finding.joints_deg, finding)
-            self._tell(self._touching_text)
+            self._show_note(self._touching_text)
             return
         inside_deg = self._inside_deg() if angles_deg is None else None
         ghost_deg = angles_deg if self._is_elsewhere(angles_deg) else inside_deg
         self._preview.show_target(ghost_deg)
-        self._tell(self._note_on(target, typed, ghost_deg, leads_inside=inside_deg is not None))
+        self._show_note(
+            self._note_on(target, typed, ghost_deg, leads_inside=inside_deg is not None)
+        )
 
     def _note_on(
         self,
@@ -609,18 +611,18 @@ class TargetDrag(QObject):
         measured_deg = self._controller.state.angles_deg()
         return angles_deg is not None and _differ(tuple(angles_deg), measured_deg)
 
-    def _tell(self, told: Refusal | Callable[[], str] | None) -> None:
+    def _show_note(self, told: Refusal | Callable[[], str] | None) -> None:
         """Say what is seen, or why nothing is, until something else is to be said."""
-        if told == self._told:
+        if told == self._shown_note:
             return
-        self._told = told
+        self._shown_note = told
         if isinstance(told, Refusal):
-            self._say(told)
+            self._show_refusal(told)
         elif told is not None:
             self._refused = True
-            self._note.say(told, stays=True)
+            self._note.show_message(told, stays=True)
         else:
-            self._say(None)
+            self._show_refusal(None)
 
     # a drag -----------------------------------------------------------------------------------
 
@@ -636,7 +638,7 @@ class TargetDrag(QObject):
         if target is None or angles_deg is None or kind is None:
             return
         target.begin()
-        self._told = None
+        self._shown_note = None
         self._held = target
         self._began_with = self._basis(target)
         self._base = self._drag_base(target, angles_deg, kind)
@@ -677,9 +679,9 @@ class TargetDrag(QObject):
             return
         answer = dragged_to(base, dragged, self._last_deg, coarse=coarse, fine=fine)
         if isinstance(answer, Refusal):
-            self._say(answer)  # the ghost stays where it could be
+            self._show_refusal(answer)  # the ghost stays where it could be
             return
-        self._say(None)
+        self._show_refusal(None)
         self._last_deg = answer
         held.carry(answer)
         self._preview.show_target(answer)
@@ -691,13 +693,13 @@ class TargetDrag(QObject):
             self._zone_held = None
             if given_up:
                 zone.take_pose(begun)
-            self.look()
+            self.refresh()
             return
         held, base = self._held, self._base
         self._held = self._base = None
         if held is None or base is None:
             return
-        self._say(None)
+        self._show_refusal(None)
         # a drag ends in one of three ways: with another arm or target, without effect, or kept
         refusal: Refusal | None = None
         if not self._is_as_begun(held):
@@ -709,14 +711,14 @@ class TargetDrag(QObject):
             held.give_up(base.angles_deg)
         else:
             refusal = held.drop(self._last_deg)
-        self.look()
+        self.refresh()
         if refusal is not None:
-            self._say(refusal)
+            self._show_refusal(refusal)
 
-    def _say(self, reason: Refusal | None) -> None:
+    def _show_refusal(self, reason: Refusal | None) -> None:
         if reason is not None:
             self._refused = True
-            self._note.say(partial(words.refusal, reason), Level.WARNING, stays=True)
+            self._note.show_message(partial(words.refusal, reason), Level.WARNING, stays=True)
         elif self._refused:
             self._refused = False
-            self._note.say("")
+            self._note.show_message("")

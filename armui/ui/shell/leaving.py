@@ -238,22 +238,22 @@ class _Ending(QObject):
     def begin(self) -> None:
         """End the motion, and call `proceed` once it has ended, unless by an emergency stop."""
         self._controller.end_motion(single=self._single)
-        self._controller.operating_state_changed.connect(self._look)
+        self._controller.operating_state_changed.connect(self._on_operating_state)
         if self._single:
             self._limit.start()
-        self._look(self._controller.operating_state)
+        self._on_operating_state(self._controller.operating_state)
 
     def _on_late(self) -> None:
         self._late = True
-        self._look(self._controller.operating_state)
+        self._on_operating_state(self._controller.operating_state)
 
-    def _look(self, operating_state: OperatingState) -> None:
+    def _on_operating_state(self, operating_state: OperatingState) -> None:
         stopping = operating_state.stop is not StopState.RUNNING
         driven = operating_state.running or bool(operating_state.holds)
         under_way = driven or (self._single and operating_state.moving)
         if not stopping and under_way and not self._late:
             return
-        self._controller.operating_state_changed.disconnect(self._look)
+        self._controller.operating_state_changed.disconnect(self._on_operating_state)
         self._limit.stop()
         self.deleteLater()
         if not stopping:

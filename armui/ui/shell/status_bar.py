@@ -27,7 +27,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.theme import colors_of
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import MARK_ICON_PX, named, show_as_mark
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine
 from armui.ui.widgets.painting import set_rank
@@ -89,7 +89,7 @@ class FailureLine(HasActs, Translated, QWidget):
         """
         again = self._failure is not None and self._failure.error == failure.error
         self._failure, self._motion_ended = failure, motion_ended
-        self._say()
+        self._show_text()
         if motion_ended or not again:
             self.show()
 
@@ -102,7 +102,7 @@ class FailureLine(HasActs, Translated, QWidget):
         if self._failure is not None:
             QGuiApplication.clipboard().setText(self._failure.text)
 
-    def _say(self) -> None:
+    def _show_text(self) -> None:
         if self._failure is None:
             return
         if self._motion_ended:
@@ -124,7 +124,7 @@ class FailureLine(HasActs, Translated, QWidget):
     def retranslate_ui(self) -> None:
         """Update the texts in the operator's language."""
         self.show_acts()
-        self._say()
+        self._show_text()
 
 
 class ModelMark(Translated, QToolButton):
@@ -230,7 +230,7 @@ class StatusBar(Translated, QWidget):
         self._layout = in_row(*notice, *moves, on=self, spacing=8, margins=(14, 6, 14, 6))
         self._separators: dict[str, QLabel] = {}
         for name, label in self._labels.items():
-            tell_quantities(label, *_QUANTITIES[name])
+            set_quantities(label, *_QUANTITIES[name])
             if name != "control":
                 self._separators[name] = text_label(text="│", rank="muted")
                 self._layout.addWidget(self._separators[name])

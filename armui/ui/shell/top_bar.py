@@ -30,7 +30,7 @@ from armui.ui.freshness import is_stale
 from armui.ui.theme import Colors, colors_of, scaled_font
 from armui.ui.widgets import painting
 from armui.ui.widgets.buttons import describe, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.halt_button import HaltButton
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.percent_input import PercentInput
@@ -109,7 +109,7 @@ class SpeedControl(Translated, QWidget):
         self._means.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self._arm_label = text_label(rank="muted")
         self._arm_value = named("arm_speed", ValueLabel(fmt.percent(100)))
-        tell_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
+        set_quantities(self, "arm.speed_percent", "own.speed_percent", "other.speed_percent")
         wanted = (self._label, (self._slider, 1), self.field, self._means)
         in_row(*wanted, self._arm_label, self._arm_value, on=self, spacing=8, margins=0)
         controller.state_changed.connect(self._on_state_changed)
@@ -227,7 +227,7 @@ class EnableButton(Translated, QAbstractButton):
     @property
     def offer(self) -> str:
         """What a click does, as the second line; "" if the line of the next step shows it."""
-        return self.tr("Disable…") if self.turns_off and self._stands() == "enabled" else ""
+        return self.tr("Disable…") if self.turns_off and self._state_name() == "enabled" else ""
 
     def show_faults(self, joints: tuple[int, ...]) -> None:
         """Let the marks of these joints warn of a fault that the arm reports."""
@@ -248,7 +248,9 @@ class EnableButton(Translated, QAbstractButton):
         """Set the text in the operator's language."""
         motion = self._motion
         self.setText(
-            _WORDS.text(self._stands()) if motion is None else words.uncommanded_motion_word(motion)
+            _WORDS.text(self._state_name())
+            if motion is None
+            else words.uncommanded_motion_word(motion)
         )
         known = [fmt.joints([j for j, on in zip(JOINTS, self._enabled, strict=True) if on])]
         if self._faulty:
@@ -257,7 +259,7 @@ class EnableButton(Translated, QAbstractButton):
         self.updateGeometry()
         self.update()
 
-    def _stands(self) -> str:
+    def _state_name(self) -> str:
         if self._stopped:
             return "stopped"
         if self._busy is Busy.ENABLING:

@@ -386,7 +386,7 @@ class ExportDialog(ArmDialog):
 
     export_button = Act("Export", named="export_button", primary=True)
     close_button = Act("Close", named="export_close")
-    _told = Signal(int, object)
+    _answered = Signal(int, object)
 
     def __init__(
         self,
@@ -406,7 +406,7 @@ class ExportDialog(ArmDialog):
         self._build()
         self.form.changed.connect(self._on_changed)
         # queued, for an answer comes in another thread
-        self._told.connect(self._on_told, Qt.ConnectionType.QueuedConnection)
+        self._answered.connect(self._on_answered, Qt.ConnectionType.QueuedConnection)
         self.resize(*_SIZE_PX)
         self.retranslate_ui()
 
@@ -454,7 +454,7 @@ class ExportDialog(ArmDialog):
         self._request = request
         self._done, self._cancelled = None, False
         self._progress = ExportProgress(None, 0)
-        self._under_way = self._begin(request, lambda said: self._told.emit(number, said))
+        self._under_way = self._begin(request, lambda said: self._answered.emit(number, said))
         self._refresh()
 
     @close_button.pressed
@@ -483,7 +483,7 @@ class ExportDialog(ArmDialog):
 
     # Results of background work ---------------------------------------------------------------
 
-    def _on_told(self, number: int, said: Any) -> None:
+    def _on_answered(self, number: int, said: Any) -> None:
         if number != self._number:
             return
         if isinstance(said, ExportProgress):

@@ -41,7 +41,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
         panned: By how many seconds.
         cursor_dragged: The cursor, and its new place on the axis.
         clicked: The place on the axis.
-        let_go: The gesture is over.
+        drag_finished: The gesture is over.
     """
 
     framed = Signal(float, float, object)
@@ -50,7 +50,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
     panned = Signal(float)
     cursor_dragged = Signal(int, float)
     clicked = Signal(float)
-    let_go = Signal()
+    drag_finished = Signal()
 
     def __init__(self) -> None:
         super().__init__(enableMenu=False)
@@ -90,7 +90,7 @@ class TimeViewBox(pg.ViewBox):  # type: ignore[misc]
             self._draw_frame(ev)
         if ev.isFinish():
             self._dragged = None
-            self.let_go.emit()
+            self.drag_finished.emit()
 
     def _draw_frame(self, ev: Any) -> None:
         corners = QRectF(QPointF(ev.buttonDownPos()), QPointF(ev.pos())).normalized()

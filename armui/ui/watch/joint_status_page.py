@@ -457,7 +457,7 @@ class JointStatusPage(Page):
         self._event = None
         answer = self._controller.joint_errors.clear(joint)
         if isinstance(answer, Refusal):
-            self._say(partial(words.refusal, answer), Level.WARNING)
+            self._show_message(partial(words.refusal, answer), Level.WARNING)
 
     def _on_noticed(self, event: Event) -> None:
         if event.notice in _OURS:
@@ -466,11 +466,11 @@ class JointStatusPage(Page):
 
     def _show_notice(self) -> None:
         if self._event is None:
-            self._say("", Level.INFO)
+            self._show_message("", Level.INFO)
         else:
-            self._say(partial(words.event, self._event), self._event.level)
+            self._show_message(partial(words.event, self._event), self._event.level)
 
-    def _say(self, text: Words, level: Level) -> None:
+    def _show_message(self, text: Words, level: Level) -> None:
         """Say something in the place of the chosen cell's line."""
         self._message.show_message(text, level)
         self._detail.setHidden(bool(text))

@@ -225,7 +225,7 @@ class PlotBoard(QWidget):
             box.panned.connect(self._on_panned)
             box.cursor_dragged.connect(self._on_cursor_dragged)
             box.clicked.connect(self._on_clicked)
-            box.let_go.connect(self.frame.settle)
+            box.drag_finished.connect(self.frame.settle)
         return pane
 
     def _choose(self, place: int) -> None:

@@ -65,7 +65,7 @@ class PlotExport(FileExport):
     def copy_text(self, text: str) -> None:
         """Copy a table."""
         QGuiApplication.clipboard().setText(text)
-        self.said.emit(self.tr("Copied"), Level.DONE)
+        self.message_changed.emit(self.tr("Copied"), Level.DONE)
 
     def figure(self) -> figure.CurveFigure:
         """Return a copy of the plots that may be drawn in any thread."""
@@ -99,10 +99,10 @@ class PlotExport(FileExport):
 
     def _on_drawn(self, result: QImage | Refusal) -> None:
         if isinstance(result, Refusal):
-            self.said.emit(words.refusal(result), Level.FAULT)
+            self.message_changed.emit(words.refusal(result), Level.FAULT)
             return
         QGuiApplication.clipboard().setImage(result)
-        self.said.emit(self.tr("Copied"), Level.DONE)
+        self.message_changed.emit(self.tr("Copied"), Level.DONE)
 
 
 def _title(key: str) -> str:

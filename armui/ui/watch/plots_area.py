@@ -75,7 +75,7 @@ class PlotsArea(QWidget):
         self.board.refused.connect(self._on_refused)
         self.board.menu_wanted.connect(self._open_menu)
         self.bar.save.wanted.connect(self._on_save)
-        self.export.said.connect(self.say)
+        self.export.message_changed.connect(self.show_message)
         # only within this area: elsewhere in the window the same key undoes edits
         listen_for("plots.undo", self, self.bar.undo.click)
 
@@ -109,9 +109,9 @@ class PlotsArea(QWidget):
         else:
             text = self.tr("A plot takes {count} curves at most, so that they can be told apart.")
             count = MOST_CURVES
-        self.say(text.format(count=count), Level.WARNING)
+        self.show_message(text.format(count=count), Level.WARNING)
 
-    def say(self, text: str, level: Level) -> None:
+    def show_message(self, text: str, level: Level) -> None:
         """Show a message to the operator."""
         self.message.show_message(text, level)
 
@@ -231,7 +231,7 @@ class PlotPage(Page):
     def _on_kept(self, result: Refusal | None) -> None:
         if isinstance(result, Refusal):
             text = self.tr("The layout of the plots could not be saved: {text}")
-            self.area.say(text.format_map(result.params), Level.WARNING)
+            self.area.show_message(text.format_map(result.params), Level.WARNING)
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Store the layout now."""

@@ -90,12 +90,12 @@ def give_menu(button: QAbstractButton, menu: QMenu) -> None:
     if isinstance(button, QPushButton | QToolButton):
         button.setMenu(menu)
 
-    def look() -> None:
+    def clear_hover() -> None:
         if not button.rect().contains(button.mapFromGlobal(QCursor.pos())):
             button.setAttribute(Qt.WidgetAttribute.WA_UnderMouse, False)
             button.update()
 
-    menu.aboutToHide.connect(lambda: QTimer.singleShot(0, button, look))
+    menu.aboutToHide.connect(lambda: QTimer.singleShot(0, button, clear_hover))
 
 
 def fold_into(button: QToolButton, *widgets: QWidget) -> None:

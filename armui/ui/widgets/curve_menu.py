@@ -1,6 +1,6 @@
 """The context menu of figures: shows them as curves.
 
-A widget declares its quantities by :func:`tell_quantities`; one that shows several of them in
+A widget declares its quantities by :func:`set_quantities`; one that shows several of them in
 different places has a method ``quantities_at``.
 """
 
@@ -34,7 +34,7 @@ class ShowsCurves(Protocol):
         """Show quantities as curves."""
 
 
-def tell_quantities(widget: QWidget, *keys: str) -> None:
+def set_quantities(widget: QWidget, *keys: str) -> None:
     """Declare the quantities of a widget, by their keys (`armui.telemetry.quantities`)."""
     widget.setProperty(_PROPERTY, list(keys))
 

@@ -129,7 +129,7 @@ class HoldButton(Translated, QPushButton):
             if self._pressed_for is not None and self._pressed_for.is_still(self._controller.mark):
                 self.held.emit()
             else:
-                self._controller.tell_withdrawn(self.text(), ARM_CHANGED())
+                self._controller.report_withdrawn(self.text(), ARM_CHANGED())
         self._begin_anew()
 
     def _on_clicked(self) -> None:

@@ -28,7 +28,7 @@ class JogButton(QPushButton):
     """Emitted for another step while the button is still held."""
     held = Signal()
     """Emitted when the button was pressed, to move until it is released."""
-    let_go = Signal()
+    hold_ended = Signal()
     """Emitted once after each :attr:`held`, when the hold is over."""
     unattended = Signal()
     """Emitted when the hold ended because the operator gave no sign for too long."""
@@ -64,11 +64,11 @@ class JogButton(QPushButton):
             self.stepped.emit()
 
     def _end(self) -> None:
-        """Emit `let_go` before the guard is released: the motion must end even if that fails."""
+        """Emit `hold_ended` before releasing the guard: the motion must end even if that fails."""
         self._timer.stop()
         if self._holding:
             self._holding = False
-            self.let_go.emit()
+            self.hold_ended.emit()
         self._guard.release()
 
     def _on_timeout(self) -> None:

@@ -65,7 +65,7 @@ class MessageLine(QWidget):
         self._keeps_room = keeps_room
         self._level = Level.INFO
         self._words: Words = ""
-        self._said_in = shown_language()
+        self._message_language = shown_language()
         self._icon = QLabel()
         self._icon.setFixedWidth(_ICON_PX)
         self._label = text_label(wraps=True, plain=True)
@@ -91,7 +91,7 @@ class MessageLine(QWidget):
             level: The severity.
         """
         self._level, self._words = level, words
-        self._said_in = shown_language()
+        self._message_language = shown_language()
         text = words if isinstance(words, str) else words()
         self._label.setText(text)
         self.setAccessibleName(text)
@@ -145,7 +145,7 @@ class MessageLine(QWidget):
         elif event.type() == QEvent.Type.LanguageChange:
             if not isinstance(self._words, str):
                 self.show_message(self._words, self._level)
-            elif self._level in _OVER and self._said_in != shown_language():
+            elif self._level in _OVER and self._message_language != shown_language():
                 self.show_message("")
         super().changeEvent(event)
 

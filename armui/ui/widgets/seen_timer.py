@@ -14,12 +14,12 @@ class SeenTimer(QTimer):
     Args:
         widget: The widget.
         interval_ms: The period.
-        look: The function.
+        callback: The function.
     """
 
-    def __init__(self, widget: QWidget, interval_ms: int, look: Callable[[], object]) -> None:
+    def __init__(self, widget: QWidget, interval_ms: int, callback: Callable[[], object]) -> None:
         super().__init__(widget, interval=interval_ms)
-        self.timeout.connect(look)
+        self.timeout.connect(callback)
         widget.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

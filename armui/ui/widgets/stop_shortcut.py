@@ -108,16 +108,16 @@ class _FirstPicture(QObject):
         super().__init__(parent)
         window.installEventFilter(self)
         # a covered window may never be painted, and the stop keys have to work all the same
-        QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._tell)
+        QTimer.singleShot(_PAINTED_WITHIN_MS, self, self._emit_seen)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Detect the first paint event of the window."""
         if isinstance(event, QPaintEvent):
             watched.removeEventFilter(self)
-            QTimer.singleShot(0, self, self._tell)
+            QTimer.singleShot(0, self, self._emit_seen)
         return False
 
-    def _tell(self) -> None:
+    def _emit_seen(self) -> None:
         self.seen.emit()
 
 

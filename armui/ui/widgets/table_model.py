@@ -68,7 +68,7 @@ class TableHint(Translated, QWidget):
         table.viewport().installEventFilter(self)
         self.hide()
 
-    def say(self, title: str, text: str) -> None:
+    def set_texts(self, title: str, text: str) -> None:
         """Set title and text."""
         self._title.setText(title)
         self._text.setText(text)

@@ -58,7 +58,7 @@ def _figure(name: str, value: object) -> str:
     if name == "joint" and value == ALL_JOINTS:
         return f"{JOINTS[0]}–{JOINTS[-1]}"
     if isinstance(value, Told):
-        return told(value)
+        return localized(value)
     text = str(value)
     return listed(text.split(", ")) if _LIST.fullmatch(text) else text
 
@@ -88,9 +88,9 @@ def source_of(what: Sentence) -> str:
     return what.source or _BY_ID.get(what.context, {}).get(what.id, "")
 
 
-def told(text: str) -> str:
+def localized(text: str) -> str:
     """Return a text in the operator's language; one that is no `Told` is returned as it is."""
-    return text.said(QCoreApplication.translate) if isinstance(text, Told) else text
+    return text.translated(QCoreApplication.translate) if isinstance(text, Told) else text
 
 
 def said(what: Sentence, params: Mapping[str, object]) -> str:

@@ -51,17 +51,17 @@ class AreaActors:
 
     def _add(self, shape: AreaShape, palette: ScenePalette) -> vtkActor:
         actor = actor_of(_surface(shape))
-        look = actor.GetProperty()
+        appearance = actor.GetProperty()
         lit = (shape.near or shape.held) and not shape.pale
         color = rgb((palette.accent if shape.held else palette.warning) if lit else palette.muted)
-        look.SetColor(*color)
-        look.SetOpacity(_NEAR_OPACITY if lit or shape.pale else _OPACITY)
+        appearance.SetColor(*color)
+        appearance.SetOpacity(_NEAR_OPACITY if lit or shape.pale else _OPACITY)
         if shape.pale:
-            look.SetRepresentationToWireframe()
-        look.LightingOff()
-        look.BackfaceCullingOff()
-        look.EdgeVisibilityOn()
-        look.SetEdgeColor(*color)
+            appearance.SetRepresentationToWireframe()
+        appearance.LightingOff()
+        appearance.BackfaceCullingOff()
+        appearance.EdgeVisibilityOn()
+        appearance.SetEdgeColor(*color)
         actor.PickableOff()
         if shape.held:
             actor.SetUserMatrix(self._flange)

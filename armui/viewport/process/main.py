@@ -136,7 +136,7 @@ class Heartbeat:
         """Change the phase, which has other time limits in the program."""
         self._cpu_began_s = time.process_time()
         self._phase = phase
-        self._tell(phase)
+        self._send_phase(phase)
 
     def _beat(self) -> None:
         pause = threading.Event()
@@ -152,11 +152,11 @@ class Heartbeat:
                 continue
             self._awake.set()
             try:
-                self._tell(phase)
+                self._send_phase(phase)
             except OSError:
                 return  # the program has ended; the drawing thread finds out by itself
 
-    def _tell(self, phase: PicturePhase) -> None:
+    def _send_phase(self, phase: PicturePhase) -> None:
         self.send(PictureBusy(phase, time.process_time() - self._cpu_began_s, self._late_s))
 
 
@@ -186,27 +186,27 @@ class _Drawing:
         self._memory: FrameMemory | None = None
         self._path: PathPicture | None = None
         self._painter = FramePainter(
-            on_load_failed=lambda reason: self._say(LoadFailed(reason)),
-            on_picked=lambda number: self._say(JointPicked(number)),
-            on_mark_picked=lambda row: self._say(MarkPicked(row)),
+            on_load_failed=lambda reason: self._send(LoadFailed(reason)),
+            on_picked=lambda number: self._send(JointPicked(number)),
+            on_mark_picked=lambda row: self._send(MarkPicked(row)),
             on_phase=heart.enter,
         )
 
     def serve(self, connection: Connection) -> None:
         with self._heart.beating(PicturePhase.STARTING):
             self._painter.open()
-        self._say(Ready())
-        stands_back = False
+        self._send(Ready())
+        priority_lowered = False
         while True:
             request: Draw = connection.recv()
             with self._heart.beating(PicturePhase.DRAWING):
                 answer = self._answer(request)
-            self._say(answer)
-            if not stands_back:
-                stands_back = True
+            self._send(answer)
+            if not priority_lowered:
+                priority_lowered = True
                 lower_priority()
 
-    def _say(self, answer: Answer) -> None:
+    def _send(self, answer: Answer) -> None:
         self._heart.send(answer)
 
     def _answer(self, request: Draw) -> Drawn:
@@ -227,9 +227,9 @@ class _Drawing:
             if painter.robot is not before and painter.robot is not known:
                 content = pickle.dumps(painter.robot)
                 if len(content) < _MOST_KEPT_BYTES:  # in the memory of the window's process
-                    self._say(RobotRead(content))
+                    self._send(RobotRead(content))
             if painter.robot is not before and painter.robot is not None:
-                self._say(RobotShown(shape_of(painter.robot)))
+                self._send(RobotShown(shape_of(painter.robot)))
         size_px = None
         if pixels is not None and self._memory is not None:
             target = self._memory.slot(request.slot, pixels.nbytes)

@@ -102,17 +102,17 @@ class PreviewActors:
 
     def _marks(self, places_mm: NDArray[np.float64], color: str, size_px: float) -> vtkActor:
         actor = self._add(pv.PolyData(places_mm * _MM), 1.0)
-        look = actor.GetProperty()
-        look.SetColor(*rgb(color))
-        look.SetPointSize(size_px * self._pixel_ratio)
-        look.RenderPointsAsSpheresOn()
+        appearance = actor.GetProperty()
+        appearance.SetColor(*rgb(color))
+        appearance.SetPointSize(size_px * self._pixel_ratio)
+        appearance.RenderPointsAsSpheresOn()
         return actor
 
     def _add(self, surface: pv.PolyData, width_px: float) -> vtkActor:
         actor = actor_of(surface)
-        look = actor.GetProperty()
-        look.LightingOff()
-        look.SetLineWidth(width_px)
+        appearance = actor.GetProperty()
+        appearance.LightingOff()
+        appearance.SetLineWidth(width_px)
         actor.PickableOff()
         self._renderer.AddActor(actor)
         return actor

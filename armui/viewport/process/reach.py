@@ -97,10 +97,10 @@ class ReachActor:
 
     def _add(self, surface: pv.PolyData, color: str, opacity: float) -> None:
         actor = actor_of(surface)
-        look = actor.GetProperty()
-        look.SetColor(*rgb(color))
-        look.SetOpacity(opacity)
-        look.LightingOff()
+        appearance = actor.GetProperty()
+        appearance.SetColor(*rgb(color))
+        appearance.SetOpacity(opacity)
+        appearance.LightingOff()
         actor.PickableOff()
         self._renderer.AddActor(actor)
         self._actors.append(actor)

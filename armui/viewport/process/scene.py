@@ -215,11 +215,11 @@ class RobotActors:
                 color = mix(color, rgb(palette.background), _FADED_SHARE)
             # fade the shading, too: a white shell on a light background fades by nothing else
             ambient, diffuse, specular = (0.12, 1.0, 0.25) if fresh else (0.7, 0.35, 0.0)
-            look = actor.GetProperty()
-            look.SetColor(*color)
-            look.SetAmbient(ambient)
-            look.SetDiffuse(diffuse)
-            look.SetSpecular(specular)
+            appearance = actor.GetProperty()
+            appearance.SetColor(*color)
+            appearance.SetAmbient(ambient)
+            appearance.SetDiffuse(diffuse)
+            appearance.SetSpecular(specular)
 
     def make_ghost(self, palette: ScenePalette, finding: FindingMark | None) -> None:
         """Make the robot transparent, in the accent colour: no real arm is there.
@@ -232,12 +232,12 @@ class RobotActors:
         of_finding = palette.fault if finding is None or finding.is_error else palette.warning
         for link, actor, _ in self._parts:
             actor.PickableOff()
-            look = actor.GetProperty()
+            appearance = actor.GetProperty()
             touches = self._touches(link)
-            look.SetColor(*rgb(of_finding if touches else palette.accent))
-            look.SetOpacity(_TOUCHING_OPACITY if touches else _GHOST_OPACITY)
-            look.BackfaceCullingOff()
-            look.SetSpecular(0.0)
+            appearance.SetColor(*rgb(of_finding if touches else palette.accent))
+            appearance.SetOpacity(_TOUCHING_OPACITY if touches else _GHOST_OPACITY)
+            appearance.BackfaceCullingOff()
+            appearance.SetSpecular(0.0)
 
     def _touches(self, link: str) -> bool:
         return self._joint_numbers.get(link, 0) in self._touching

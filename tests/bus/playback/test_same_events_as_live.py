@@ -50,7 +50,7 @@ def recorded(rig, qtbot, tmp_path):
     sessions = rig.controller.sessions
     sessions.choose(SessionChoices(tmp_path / "sessions"))
     rig.ready()
-    sessions.look()
+    sessions.poll()
     before = rig.controller.events.newest
     assert sessions.start() is None
     eventful(rig)
@@ -65,7 +65,7 @@ def recorded(rig, qtbot, tmp_path):
 
 
 def _ended(sessions, rig):
-    sessions.look()
+    sessions.poll()
     return "session_ended" in rig.codes()
 
 

@@ -33,7 +33,7 @@ class BusMonitor:
     def run(self, seconds=0.2):
         """Let time pass, and look as the timer does."""
         self.driver.run(seconds)
-        self.window.look()
+        self.window.refresh()
 
     def click(self, name):
         self.driver.click(self.find(name))

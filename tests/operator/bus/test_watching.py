@@ -376,7 +376,7 @@ def test_another_device_is_counted_by_itself(monitor):
 
 def test_opened_before_any_device(app_driver):
     monitor = BusMonitor(app_driver)
-    monitor.window.look()
+    monitor.window.refresh()
     assert monitor.ids() == []
     app_driver.connect()
     monitor.run()
@@ -389,7 +389,7 @@ def test_a_codec_that_is_not_proven_is_said(monitor):
     message = monitor.find("bus_message")
     assert not message.isVisible()
     monitor.window.statistics.know_generation(None)
-    monitor.window.look()
+    monitor.window.refresh()
 
     assert message.isVisible()
     assert message.text().startswith("Generation not known yet")

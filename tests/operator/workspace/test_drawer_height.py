@@ -137,7 +137,7 @@ def test_a_message_leaves_the_list_of_the_library_where_it_was_scrolled_to(app_d
     bar = library.table.verticalScrollBar()
     bar.setValue(bar.maximum())
     before = bar.value()
-    library.window._say("Something is told.")
+    library.window._show_message("Something is told.")
     app_driver.run(0.2)
     assert bar.value() >= before > 0
 
@@ -155,7 +155,7 @@ def test_it_has_a_low_head_and_eight_rows(pages, page, content, language):
     pages.driver.click(f"{page}_button")
     pages.driver.run(0.2)
     if page == "bus":
-        pages.driver.page(BusPage).look()  # what its timer would do
+        pages.driver.page(BusPage).refresh()  # what its timer would do
     rows = pages.driver.find("drawer").findChild(QAbstractItemView, content)
     head_px = rect_in_window(rows).top() - rect_in_window(pages.driver.find("drawer")).top()
     assert head_px <= 100

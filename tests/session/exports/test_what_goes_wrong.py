@@ -189,7 +189,7 @@ def test_a_target_that_comes_meanwhile_is_kept(tmp_path):
     target = tmp_path / "a.mcap"
     request = ExportRequest(log, target, ExportFormat.MCAP)
     with pytest.raises(ExportError) as caught:
-        export_log(request, tell=lambda _progress: target.write_text("theirs"))
+        export_log(request, on_progress=lambda _progress: target.write_text("theirs"))
     assert caught.value.problem is ExportProblem.EXISTS
     assert target.read_text() == "theirs"
     assert sorted(tmp_path.iterdir()) == sorted([log, target])
@@ -296,7 +296,7 @@ def test_progress_goes_up_to_the_end(tmp_path):
     log = candump(tmp_path / "a.log", session(3.0))
     told: list[float] = []
     request = ExportRequest(log, tmp_path / "a.csv", ExportFormat.CSV)
-    export_log(request, tell=lambda progress: told.append(progress.done or 0.0))
+    export_log(request, on_progress=lambda progress: told.append(progress.done or 0.0))
     assert told == sorted(told)
     assert told[-1] == 1.0
 

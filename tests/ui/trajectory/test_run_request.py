@@ -47,7 +47,7 @@ class Press:
             read=self.page,
             options=lambda: self.options,
             speed_percent=lambda: 20,
-            told=self.note,
+            on_state=self.note,
             clock=lambda: self.now_s,
             **more,
         )
@@ -247,7 +247,7 @@ def test_given_up_by_whoever_is_told_of_a_state(press: Press, at: str) -> None:
         if request.state.name == at:
             request.give_up()
 
-    press.request._told = give_up
+    press.request._on_state = give_up
     press.request.begin()
     press.read()
     if press.checks.begin.called:

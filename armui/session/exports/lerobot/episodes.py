@@ -116,13 +116,13 @@ class LeRobotDataset:
             for first, behind in _runs(inside, instants):
                 cause = Cause(instants.causes[first])
                 if cause is not Cause.NONE:
-                    left.append(self._told(_WHY[cause], instants, first, behind - 1))
+                    left.append(self._refusal(_WHY[cause], instants, first, behind - 1))
                 elif behind - first < SHORTEST_S * self._fps:
-                    left.append(self._told(EPISODE_SHORT, instants, first, behind - 1))
+                    left.append(self._refusal(EPISODE_SHORT, instants, first, behind - 1))
                 else:
                     episodes.append((each.task or self._task, slice(first, behind)))
                 if behind < len(inside) and inside[behind] and _is_gap(instants, behind):
-                    left.append(self._told(EPISODE_SILENT, instants, behind - 1, behind))
+                    left.append(self._refusal(EPISODE_SILENT, instants, behind - 1, behind))
         self.notes += left[:_MOST_TOLD]
         if len(left) > _MOST_TOLD:
             self.notes.append(EPISODES_MORE(count=len(left) - _MOST_TOLD))
@@ -148,7 +148,7 @@ class LeRobotDataset:
         write_dataset(self._folder, written, NAMES[columns], self._fps)
         self.items = len(places)
 
-    def _told(self, reason: Reason, instants: Instants, first: int, last: int) -> Refusal:
+    def _refusal(self, reason: Reason, instants: Instants, first: int, last: int) -> Refusal:
         begin, end = instants.numbers[[first, last]] / self._fps
         return reason(begin=round(float(begin), 2), end=round(float(end), 2))
 

@@ -16,7 +16,7 @@ from armui.ui import format as fmt
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, change_command, figures
-from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
+from armui.ui.panels.cell.named_tab import EDGES, CellItem, NamedTab, TabTexts
 from armui.ui.widgets.buttons import caption, enable_or_explain, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
@@ -103,35 +103,35 @@ class AreaTab(NamedTab):
         return self._cell.area
 
     @property
-    def _things(self) -> Sequence[Zone]:
+    def _items(self) -> Sequence[Zone]:
         return self._area.zones
 
     def _with(self, area: Area) -> Cell:
         return replace(self._cell, area=area)
 
-    def _put(self, thing: Any, instead_of: str = "") -> Cell:
+    def _put(self, item: Any, instead_of: str = "") -> Cell:
         """Return the cell with a zone added or replaced, and with the margin as typed."""
         area = replace(self._area, margin_mm=figures([self._margin])[0])
-        return self._with(with_zone(area, thing, instead_of=instead_of))
+        return self._with(with_zone(area, item, instead_of=instead_of))
 
     def _without(self, name: str) -> Cell:
         return self._with(without_zone(self._area, name))
 
     def _on_switched(self, on: bool) -> None:
-        zone = self._thing
+        zone = self._item
         if zone is not None:
             switched = with_zone(self._area, replace(zone, on=on), instead_of=zone.name)
             self._change(self._with(switched), zone.name)
 
     def typed_zone(self) -> Zone | None:
         """Return the plane or box as typed, while the tab is visible and one is chosen or named."""
-        named = self._thing is not None or self._name.text().strip()
+        named = self._item is not None or self._name.text().strip()
         nonsense = any(field.is_nonsense() for field in (*self._fields, *self._sizes))
         return self.typed() if self.isVisible() and named and not nonsense else None
 
     def typed(self) -> Zone:
         """Return the zone as typed: a plane if one is chosen, else a box."""
-        name, pose, zone = self._name.text().strip(), figures(self._fields), self._thing
+        name, pose, zone = self._name.text().strip(), figures(self._fields), self._item
         on = zone is None or zone.on
         if isinstance(zone, AreaPlane):
             return AreaPlane(name, pose, on)
@@ -142,7 +142,7 @@ class AreaTab(NamedTab):
         return AreaBox(name, pose, figures(self._sizes), on)
 
     def _on_apply(self) -> None:
-        if self._thing is not None:
+        if self._item is not None:
             super()._on_apply()
         else:
             self._change(self._with(replace(self._area, margin_mm=figures([self._margin])[0])), "")
@@ -160,7 +160,7 @@ class AreaTab(NamedTab):
             self._margin_shown = self._area.margin_mm
             self._margin.show_value(self._margin_shown)
         super().show_cell(why_not)
-        zone = self._thing
+        zone = self._item
         self._on.setChecked(zone is not None and zone.on)
         self._stops.setChecked(self._area.stops_others)
         none = "" if zone is not None else self._texts().missing
@@ -171,25 +171,25 @@ class AreaTab(NamedTab):
         for frame in self._cell.frames:
             self._frames.addAction(frame.name).setData(frame.pose)
 
-    def _entry(self, thing: Thing) -> str:
-        kind = self.tr("Plane") if isinstance(thing, AreaPlane) else self.tr("Box")
-        off = "" if thing.on else self.tr(" (off)")  # type: ignore[union-attr]  # it is a zone
-        return f"{kind}: {thing.name}{off}"
+    def _entry(self, item: CellItem) -> str:
+        kind = self.tr("Plane") if isinstance(item, AreaPlane) else self.tr("Box")
+        off = "" if item.on else self.tr(" (off)")  # type: ignore[union-attr]  # it is a zone
+        return f"{kind}: {item.name}{off}"
 
-    def _fill(self, thing: Any) -> None:
+    def _fill(self, item: Any) -> None:
         """Fill the fields; for a new one a place in front of the arm is proposed."""
-        if thing is None:  # not at the zeros of the base class: a box there would enclose the base
+        if item is None:  # not at the zeros of the base class: a box there would enclose the base
             self._name.clear()
             self.take_pose(_IN_FRONT)
         else:
-            super()._fill(thing)
-        sizes_mm = thing.size_mm if isinstance(thing, AreaBox) else AreaBox("").size_mm
+            super()._fill(item)
+        sizes_mm = item.size_mm if isinstance(item, AreaBox) else AreaBox("").size_mm
         for field, value in zip(self._sizes, sizes_mm, strict=True):
             field.show_value(value)
 
     def show_state(self, state: ArmState) -> None:
         """Show what of the arm is how near."""
-        text, seen = "", self._controller.area_guard.look(state)
+        text, seen = "", self._controller.area_guard.nearest_entries(state)
         if seen:
             text = self.tr("Nearest: {part}, {value} mm from “{name}”").format(
                 part=ARM_PARTS.word(seen[0].part),
@@ -206,7 +206,7 @@ class AreaTab(NamedTab):
     def _show_news(self) -> None:
         super()._show_news()
         nonsense = any(field.is_nonsense() for field in self._fields)
-        self._side.setVisible(not isinstance(self._thing, AreaBox) and not nonsense)
+        self._side.setVisible(not isinstance(self._item, AreaBox) and not nonsense)
         if not nonsense:
             self._side.setText(self._forbidden(figures(self._fields)))
 
@@ -219,17 +219,17 @@ class AreaTab(NamedTab):
         side = names.get(axis) or self.tr("beyond it, towards {axis} of the base").format(axis=axis)
         return self.tr("Forbidden side of the plane: {side}").format(side=side)
 
-    def _is_changed(self, typed: Thing) -> bool:
+    def _is_changed(self, typed: CellItem) -> bool:
         return super()._is_changed(typed) or figures([self._margin])[0] != self._area.margin_mm
 
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if new:
             return self.tr("Press Add plane or Add box: it holds for everything from then on.")
-        if self._thing is not None and not self._thing.on:
+        if self._item is not None and not self._item.on:
             return self.tr("It is off and counts for nothing. Switch it on to put it in force.")
         if changed:
             return self.tr("Press Apply to put the new figures in force.")
-        if self._thing is not None:
+        if self._item is not None:
             return self.tr("It is in force. Switch it off, or change its figures and press Apply.")
         return self.tr(
             "Type a name and a pose in the base. A plane keeps the arm on the side of its Z axis, "

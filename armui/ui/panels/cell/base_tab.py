@@ -75,7 +75,7 @@ class BaseTab(CellTab):
         cell = placed(self._cell, Placement(figures(self._fields)))
         self._answered(self._controller.cell.change(cell))
 
-    def _told(self) -> Mounting | None:
+    def _mounting_of_arm(self) -> Mounting | None:
         """Return the mounting that was last sent to this arm, or ``None``."""
         now, identity = self._controller.operating_state, self._controller.state.identity
         if now.device is None or self.preferences is None:
@@ -102,7 +102,11 @@ class BaseTab(CellTab):
         typed, placement = Placement(figures(self._fields)), self._cell.placement
         changed = typed != placement
         self.show_acts()
-        told = words.mounting_check(typed.mounting, self._told()) if not any(nonsense) else ""
+        told = (
+            words.mounting_check(typed.mounting, self._mounting_of_arm())
+            if not any(nonsense)
+            else ""
+        )
         self._mounting.setText(told if typed.is_set else "")
         if none := self._no_step():
             self._next.setText(none)

@@ -12,7 +12,7 @@ from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import Answered, figures
 from armui.ui.panels.cell.frame_by_points import FrameByPoints
-from armui.ui.panels.cell.named_tab import ForceTab, NamedTab, TabTexts, Thing
+from armui.ui.panels.cell.named_tab import CellItem, ForceTab, NamedTab, TabTexts
 from armui.ui.widgets.text_label import text_label
 from armui.ui.words.text import Text
 
@@ -55,7 +55,7 @@ class FramesTab(ForceTab):
         return UserFrame(self._name.text().strip(), figures(self._fields))
 
     @property
-    def _things(self) -> Sequence[Thing]:
+    def _items(self) -> Sequence[CellItem]:
         return self._cell.all_frames
 
     def _fixed(self) -> str:
@@ -73,7 +73,7 @@ class FramesTab(ForceTab):
             return self._fixed()
         if new:
             return self.tr("Press Add for a further frame, or Apply: the chosen one gets these.")
-        if self._thing is None:
+        if self._item is None:
             return self.tr(
                 "Press By three points, or type a name and the frame's pose in the base, then "
                 "press Add."

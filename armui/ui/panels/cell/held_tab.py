@@ -18,7 +18,7 @@ from armui.ui import format as fmt
 from armui.ui.actions.act import Act
 from armui.ui.actions.command import Command
 from armui.ui.panels.cell.cell_tab import NARROW_PX, Answered, figures
-from armui.ui.panels.cell.named_tab import EDGES, NamedTab, TabTexts, Thing
+from armui.ui.panels.cell.named_tab import EDGES, CellItem, NamedTab, TabTexts
 from armui.ui.widgets.buttons import drop_down, give_menu, named
 from armui.ui.widgets.layouts import in_row
 from armui.ui.widgets.text_label import text_label
@@ -87,7 +87,7 @@ class HeldTab(NamedTab):
         self.retranslate_ui()
 
     @property
-    def _things(self) -> Sequence[HeldObject]:
+    def _items(self) -> Sequence[HeldObject]:
         return self._cell.held_objects
 
     @property
@@ -129,13 +129,13 @@ class HeldTab(NamedTab):
 
     def show_cell(self, why_not: str) -> None:
         """Show the objects of the chosen cell; at first the held one is chosen."""
-        if self._thing is None and not self._name.text():
+        if self._item is None and not self._name.text():
             self._local = self._cell.held
         super().show_cell(why_not)
 
-    def _entry(self, thing: Thing) -> str:
-        now = self.tr(" (held)") if thing.name == self._cell.held else ""
-        return f"{thing.name}{now}"
+    def _entry(self, item: CellItem) -> str:
+        now = self.tr(" (held)") if item.name == self._cell.held else ""
+        return f"{item.name}{now}"
 
     def _proposed(self) -> HeldObject:
         """Return the proposal for a new object, placed between the fingertips."""
@@ -143,11 +143,11 @@ class HeldTab(NamedTab):
         reach_mm = model_data(model).gripper.reach_mm
         return HeldObject("", (0.0, 0.0, reach_mm, 0.0, 0.0, 0.0))
 
-    def _fill(self, thing: Any) -> None:
-        super()._fill(thing)
-        self._mass.show_value(thing.mass_kg)
-        self._form.setCurrentIndex(int(thing.is_rod))
-        self._touched = frozenset(thing.may_touch)
+    def _fill(self, item: Any) -> None:
+        super()._fill(item)
+        self._mass.show_value(item.mass_kg)
+        self._form.setCurrentIndex(int(item.is_rod))
+        self._touched = frozenset(item.may_touch)
 
     def _show_touched(self) -> None:
         zones = [zone.name for zone in self._cell.area.zones]
@@ -187,7 +187,7 @@ class HeldTab(NamedTab):
 
     @hold.why_not
     def _why_not_hold(self) -> Refusal | str | None:
-        chosen, why_not = self._thing, why_not_change(self._controller.operating_state)
+        chosen, why_not = self._item, why_not_change(self._controller.operating_state)
         if self._cell.held:
             return why_not
         if chosen is None:
@@ -220,7 +220,7 @@ class HeldTab(NamedTab):
             ).format(name=held)
         if new:
             return self.tr("Press Add. It counts as soon as it is marked as held.")
-        if self._thing is not None:
+        if self._item is not None:
             return self.tr("Press It is held once the gripper has closed on it.")
         return self.tr("Type a name, the middle of the object in the flange, and its edges.")
 

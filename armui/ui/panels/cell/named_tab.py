@@ -38,7 +38,7 @@ from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, Item, empty_grid, in_column, in_row
 from armui.ui.words.text import Text
 
-Thing = Tool | UserFrame | HeldObject | Zone
+CellItem = Tool | UserFrame | HeldObject | Zone
 EDGES: Final = "XYZ"
 _LABELS: Final = {
     "apply": Text("NamedTab", "Apply"),
@@ -61,7 +61,7 @@ class TabTexts:
     """The words of a tab in the present language.
 
     Attributes:
-        kind: The name of one thing in its list.
+        kind: The name of one item in its list.
         choice: The label of the list.
         name: The label of the field for the name.
         none: The entry of the list for none.
@@ -95,7 +95,7 @@ class NamedTab(CellTab):
     listed: ClassVar[str] = ""
     """The name of the list's widget, if it differs from `part`."""
     kind: ClassVar[type[Any]]
-    """The class of the things in the list."""
+    """The class of the items in the list."""
     adds: ClassVar[Sequence[str]] = ("add",)
     """The keys of the buttons that add a thing."""
     changes: ClassVar[ActFamily[str]]
@@ -103,7 +103,7 @@ class NamedTab(CellTab):
 
     @classmethod
     def changes_of(cls, part: str, **titles: Text) -> ActFamily[str]:
-        """Return the buttons that change the things of a tab.
+        """Return the buttons that change the items of a tab.
 
         Args:
             part: The `part` of the tab.
@@ -141,7 +141,7 @@ class NamedTab(CellTab):
         self._why_not = ""
         self._local = ""
         self._deleted: tuple[Cell, Cell, str] | None = None
-        self._shown: tuple[Thing | None, ...] = ()
+        self._shown: tuple[CellItem | None, ...] = ()
         self._next = hint_label(f"{name}_next")
         self._choice_label, self._name_label, self._size_label = QLabel(), QLabel(), QLabel()
         self._choice = named(self.listed or name, QComboBox())
@@ -157,7 +157,7 @@ class NamedTab(CellTab):
         self._name.textEdited.connect(lambda _text: self._show_news())
 
     def _figure(self, name: str, decimals: int, unit: str = "") -> FigureField:
-        """Return a field for a figure of the thing, named after it."""
+        """Return a field for a figure of the item, named after it."""
         field = named(f"cell_{self.part}_{name}", FigureField(decimals, unit))
         field.textEdited.connect(lambda _text: self._show_news())
         self._figures.append(field)
@@ -230,7 +230,7 @@ class NamedTab(CellTab):
         raise NotImplementedError
 
     @property
-    def _things(self) -> Sequence[Thing]:
+    def _items(self) -> Sequence[CellItem]:
         raise NotImplementedError
 
     @property
@@ -243,19 +243,19 @@ class NamedTab(CellTab):
         self._local = name
         self.show_cell(self._why_not)
 
-    def _put(self, thing: Any, instead_of: str = "") -> Cell:
+    def _put(self, item: Any, instead_of: str = "") -> Cell:
         """Return the cell with a thing added, or put in the place of another one."""
-        return with_part(self._cell, thing, instead_of=instead_of)
+        return with_part(self._cell, item, instead_of=instead_of)
 
     def _without(self, name: str) -> Cell:
         """Return the cell without the thing of a name."""
         return without_part(self._cell, self.kind, name)
 
-    def _entry(self, thing: Thing) -> str:
+    def _entry(self, item: CellItem) -> str:
         """Return the entry of a thing in the list."""
-        return thing.name
+        return item.name
 
-    def _proposed(self) -> Thing | None:
+    def _proposed(self) -> CellItem | None:
         """Return what the fields show while no thing is chosen; ``None`` empties them."""
         return None
 
@@ -263,15 +263,15 @@ class NamedTab(CellTab):
         """Return why the chosen thing can be neither changed nor deleted; empty if it can."""
         return ""
 
-    def _is_changed(self, typed: Thing) -> bool:
+    def _is_changed(self, typed: CellItem) -> bool:
         """Return whether the typed thing differs from the chosen one, so that Apply is useful."""
-        return self._thing is not None and typed != self._thing
+        return self._item is not None and typed != self._item
 
     # Actions ---------------------------------------------------------------------------------
 
     @property
-    def _thing(self) -> Any:
-        return part_named(self._things, self._chosen)
+    def _item(self) -> Any:
+        return part_named(self._items, self._chosen)
 
     def _change(self, cell: Cell, chosen: str) -> None:
         before, self._local = self._local, chosen
@@ -328,11 +328,11 @@ class NamedTab(CellTab):
             anew: True to add a new one, even if one is chosen.
         """
         rounded = tuple(round(each, fmt.DECIMALS) for each in pose)
-        chosen = self._thing
+        chosen = self._item
         if chosen is not None and not anew:
             self._change(self._put(replace(chosen, pose=rounded), chosen.name), chosen.name)
             return
-        names = {thing.name.casefold() for thing in self._things}
+        names = {item.name.casefold() for item in self._items}
         numbered = (f"{self._texts().kind} {number}" for number in count(1))
         name = next(each for each in numbered if each.casefold() not in names)
         self._change(self._put(self.kind(name, rounded)), name)
@@ -344,25 +344,25 @@ class NamedTab(CellTab):
         self._why_not = why_not
         self._choice.clear()
         self._choice.addItem(self._texts().none, "")
-        for each in self._things:
+        for each in self._items:
             self._choice.addItem(self._entry(each), each.name)
-        thing = self._thing
-        if thing is None:
+        item = self._item
+        if item is None:
             self._local = ""
         self._choice.setCurrentIndex(max(0, self._choice.findData(self._chosen)))
         self._choice.setEnabled(self._controller.cell.cell is not None)
-        if (thing,) != self._shown:
-            self._shown = (thing,)
-            self._fill(thing or self._proposed())
+        if (item,) != self._shown:
+            self._shown = (item,)
+            self._fill(item or self._proposed())
         if self._search is not None:
-            self._search.show_chosen(thing, why_not)
+            self._search.show_chosen(item, why_not)
         self.show_state(self._controller.state)
         self._show_news()
 
-    def _fill(self, thing: Any) -> None:
-        """Fill the fields with a thing, or empty them for ``None``."""
-        self._name.setText("" if thing is None else thing.name)
-        figures = () if thing is None else (*thing.pose, *getattr(thing, "size_mm", ()))
+    def _fill(self, item: Any) -> None:
+        """Fill the fields with an item, or empty them for ``None``."""
+        self._name.setText("" if item is None else item.name)
+        figures = () if item is None else (*item.pose, *getattr(item, "size_mm", ()))
         fields = (*self._fields, *self._sizes)
         for field, value in zip(fields, figures or (None,) * len(fields), strict=False):
             field.show_value(value)
@@ -386,9 +386,9 @@ class NamedTab(CellTab):
         """Return the sentence about the next step, when the cell is in force."""
         return self._next_step(new=new, changed=changed)
 
-    def _is_new(self, typed: Thing) -> bool:
+    def _is_new(self, typed: CellItem) -> bool:
         """Return whether the typed name is not used yet."""
-        names = {thing.name.casefold() for thing in self._things}
+        names = {item.name.casefold() for item in self._items}
         return bool(typed.name) and typed.name.casefold() not in names
 
     def _why_no_change(self, act: str) -> Refusal | str | None:
@@ -397,7 +397,7 @@ class NamedTab(CellTab):
             unnamed = "" if typed.name else self.tr("Type a name first.")
             taken = None if self._is_new(typed) else CELL_NAME_TAKEN(value=typed.name)
             return self._why_not or unnamed or taken
-        missing = "" if self._thing is not None else self._texts().missing
+        missing = "" if self._item is not None else self._texts().missing
         if act == "restore":
             return self._why_not
         if act == "apply":
@@ -422,11 +422,11 @@ class NamedTab(CellTab):
     def _is_there(self, act: str) -> bool:
         """Return whether to show a button: Restore replaces Delete right after a deletion."""
         deleted = self._deleted
-        undoable = self._thing is None and deleted is not None and self._cell == deleted[1]
+        undoable = self._item is None and deleted is not None and self._cell == deleted[1]
         return undoable if act == "restore" else not undoable or act != "delete"
 
     def heading(self) -> str:
-        """Return the name of one of the things, for a screen reader."""
+        """Return the name of one of the items, for a screen reader."""
         return self._texts().kind
 
     def retranslate_ui(self) -> None:
@@ -457,7 +457,7 @@ class ForceTab(NamedTab):
     """The name of the thing that was added last, if it is not in force."""
 
     @property
-    def _things(self) -> Sequence[Thing]:
+    def _items(self) -> Sequence[CellItem]:
         return getattr(self._cell, f"{self.part}s")  # type: ignore[no-any-return]
 
     @property
@@ -471,23 +471,23 @@ class ForceTab(NamedTab):
         changed: dict[str, Any] = {self.part: name}
         return replace(cell, **changed)
 
-    def _put(self, thing: Any, instead_of: str = "") -> Cell:
-        cell = super()._put(thing, instead_of)
+    def _put(self, item: Any, instead_of: str = "") -> Cell:
+        cell = super()._put(item, instead_of)
         return cell if instead_of else self._with_force(cell, self._chosen)
 
     def _change(self, cell: Cell, chosen: str) -> None:
-        before, self._added = {thing.name for thing in self._things}, ""
+        before, self._added = {item.name for item in self._items}, ""
         super()._change(cell, chosen)
-        added = [thing.name for thing in self._things if thing.name not in before]
+        added = [item.name for item in self._items if item.name not in before]
         self._added = next((name for name in added if name != self._chosen), "")
         if self._added:
-            self._fill(self._thing)
+            self._fill(self._item)
             self._show_news()
 
     def _guidance(self, *, new: bool, changed: bool) -> str:
         if self._added and not new and not changed:
             return ADDED.text().format(name=self._added)
-        if new and self._thing is None:
+        if new and self._item is None:
             return self.tr("Press Add. It is in force once it is chosen in the list.")
         return super()._guidance(new=new, changed=changed)
 

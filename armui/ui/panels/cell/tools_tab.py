@@ -53,9 +53,9 @@ class ToolsTab(ForceTab):
         if self._added:
             self._choose(self._added)
 
-    def _fill(self, thing: Any) -> None:
-        super()._fill(thing)
-        self._radius.show_value(None if thing is None else thing.radius_mm)
+    def _fill(self, item: Any) -> None:
+        super()._fill(item)
+        self._radius.show_value(None if item is None else item.radius_mm)
 
     def _show_news(self) -> None:
         super()._show_news()
@@ -67,7 +67,7 @@ class ToolsTab(ForceTab):
     def _next_step(self, *, new: bool, changed: bool) -> str:
         if new:
             return self.tr("Press Add for a further tool, or Apply: the chosen one gets these.")
-        if self._thing is None:
+        if self._item is None:
             return self.tr("Type a name for the tool and what is known of it, then press Add.")
         if changed:
             return self.tr("Press Apply to put the new figures in force.")

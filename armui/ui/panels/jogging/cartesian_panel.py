@@ -37,7 +37,7 @@ from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.pose_extras import ArcBox, PoseExtras, ToolBox
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import caption, choice_group, describe, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import STRETCH, in_column, in_row
 from armui.ui.widgets.text_label import ValueLabel, text_label
@@ -99,7 +99,7 @@ class PoseRow(TargetRow):
         axis = self.name.lower()
         of_flange = (f"{source}.pose_{axis}" for source in ("arm", "own", "other"))
         curves = (f"arm.tool_{axis}",) if of_tool else of_flange
-        tell_quantities(self, *(curves if in_base else ()))
+        set_quantities(self, *(curves if in_base else ()))
 
     def show_measured(self, value: float | None, *, stale: bool) -> None:
         """Show the measured value."""

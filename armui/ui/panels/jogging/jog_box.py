@@ -245,7 +245,7 @@ class JogBox(Translated, QFrame):
             cell.stepped.connect(self._on_stepped)
             cell.repeated.connect(self._on_repeated)
             cell.held.connect(self._on_held)
-            cell.let_go.connect(self._on_let_go)
+            cell.hold_ended.connect(self._on_hold_ended)
             cell.unattended.connect(self._on_unattended)
         self.gripper.refused.connect(self.refused)
         for box in (self._degrees, self._lengths):
@@ -265,7 +265,7 @@ class JogBox(Translated, QFrame):
         return self._degrees if self.kind is JogKind.JOINTS else self._lengths
 
     def _on_kind(self, _number: int) -> None:
-        self._on_let_go()
+        self._on_hold_ended()
         self._show_kind()
 
     def _on_cell_changed(self, _cell: object) -> None:
@@ -357,7 +357,7 @@ class JogBox(Translated, QFrame):
         self._held = refusal is None
         self.refused.emit(refusal)
 
-    def _on_let_go(self) -> None:
+    def _on_hold_ended(self) -> None:
         if self._held:
             self._controller.jogging.stop()
             self._held = False
@@ -413,7 +413,7 @@ class JogBox(Translated, QFrame):
 
     def hideEvent(self, event: QHideEvent) -> None:
         """End jogging, because the buttons are hidden now."""
-        self._on_let_go()
+        self._on_hold_ended()
         super().hideEvent(event)
 
     def retranslate_ui(self) -> None:

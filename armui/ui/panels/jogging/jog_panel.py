@@ -76,8 +76,8 @@ class JogRow(Translated, QWidget):
     repeated = Signal(int, int)
     """Emitted as :attr:`stepped`, by a button that is still held."""
     held = Signal(int, int)
-    """Emitted to jog until :attr:`let_go`: the number, −1 or +1."""
-    let_go = Signal()
+    """Emitted to jog until :attr:`hold_ended`: the number, −1 or +1."""
+    hold_ended = Signal()
     unattended = Signal()
     """Emitted when a held button was released automatically, because the operator gave no sign for
     too long.
@@ -91,7 +91,7 @@ class JogRow(Translated, QWidget):
             button.stepped.connect(partial(self.stepped.emit, number, direction))
             button.repeated.connect(partial(self.repeated.emit, number, direction))
             button.held.connect(partial(self.held.emit, number, direction))
-            button.let_go.connect(self.let_go)
+            button.hold_ended.connect(self.hold_ended)
             button.unattended.connect(self.unattended)
 
     def set_continuous(self, wanted: bool) -> None:
@@ -264,7 +264,7 @@ class KeyPad(Translated, QFrame):
 
     pressed = Signal(int, int)
     """Emitted when a direction key was pressed: the index in ``keys``, and +1 or −1."""
-    let_go = Signal()
+    hold_ended = Signal()
     """Emitted once after each :attr:`pressed`, when the hold is over."""
     unattended = Signal()
     """Emitted when the hold ended because the operator gave no sign for too long."""
@@ -358,10 +358,10 @@ class KeyPad(Translated, QFrame):
         self._end()
 
     def _end(self) -> None:
-        """Emit `let_go` first: the motion must end even if something after it fails."""
+        """Emit `hold_ended` first: the motion must end even if something after it fails."""
         if self._holding:
             self._holding = False
-            self.let_go.emit()
+            self.hold_ended.emit()
         self._guard.release()
 
     def retranslate_ui(self) -> None:
@@ -441,7 +441,7 @@ class JogPanel(Panel):
             row.stepped.connect(self._on_stepped)
             row.repeated.connect(self._on_repeated)
             row.held.connect(self._on_held)
-            row.let_go.connect(self._on_let_go)
+            row.hold_ended.connect(self._on_hold_ended)
             row.unattended.connect(self._on_unattended)
             row.edited.connect(self._on_edited)
         # Tab goes from target to target, and then through the steps
@@ -483,7 +483,7 @@ class JogPanel(Panel):
         self._step_box.chosen.connect(self._on_step_chosen)
         self._keys.toggled.connect(self._on_keys_toggled)
         self._key_pad.pressed.connect(self._on_key_pressed)
-        self._key_pad.let_go.connect(self._on_let_go)
+        self._key_pad.hold_ended.connect(self._on_hold_ended)
         self._key_pad.unattended.connect(self._on_unattended)
         self._listen()
 
@@ -559,7 +559,7 @@ class JogPanel(Panel):
         raise NotImplementedError
 
     def _on_held(self, number: int, direction: int) -> None:
-        """Jog until :meth:`_on_let_go`."""
+        """Jog until :meth:`_on_hold_ended`."""
         raise NotImplementedError
 
     def _first_wrong(self) -> Refusal | None:
@@ -602,7 +602,7 @@ class JogPanel(Panel):
         jog = self._on_held if self._step_box.continuous else self._on_stepped
         jog(self._numbers[place], direction)
 
-    def _on_let_go(self) -> None:
+    def _on_hold_ended(self) -> None:
         self._controller.jogging.stop()
 
     def _on_unattended(self) -> None:
@@ -667,7 +667,7 @@ class JogPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_move)
-        self._say(self._refusal or standing or self._first_wrong(), self._event)
+        self._show_refusal(self._refusal or standing or self._first_wrong(), self._event)
 
     def retranslate_ui(self) -> None:
         """Set the texts of the head in the operator's language."""

@@ -29,7 +29,7 @@ from armui.ui.panels.jogging.jog_panel import JogPanel, TargetRow
 from armui.ui.panels.jogging.own_home import OwnHome
 from armui.ui.theme import scaled_font
 from armui.ui.widgets.buttons import describe, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.figure_field import FigureField
 from armui.ui.widgets.layouts import empty_grid, in_column
 from armui.ui.widgets.text_label import ValueLabel
@@ -68,7 +68,7 @@ class JointRow(TargetRow):
         self._limits_read = False
         self._name = QLabel(f"J{joint}")
         self._name.setFont(scaled_font(self._name, 1.15, bold=True))
-        tell_quantities(
+        set_quantities(
             self, *(f"{source}.joint_angle.{joint}" for source in ("arm", "own", "other"))
         )
         self.slider = named(f"target_slider_{joint}", TrackSlider(ANGLE_STEP_DEG, marked=True))
@@ -299,8 +299,8 @@ class MotionPanel(JogPanel):
         if self._accepted(self._controller.jogging.start(JointJog(joint, direction))):
             self._release(joint)
 
-    def _on_let_go(self) -> None:
-        super()._on_let_go()
+    def _on_hold_ended(self) -> None:
+        super()._on_hold_ended()
         self._follow_arm()
 
     def _release(self, *joints: int) -> None:

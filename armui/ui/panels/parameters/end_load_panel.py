@@ -32,7 +32,7 @@ from armui.ui.actions.command import Command, Target
 from armui.ui.freshness import is_stale
 from armui.ui.panels.panel import Panel
 from armui.ui.widgets.buttons import caption, choice_button, enable_or_explain, named
-from armui.ui.widgets.curve_menu import tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities
 from armui.ui.widgets.layouts import empty_grid, fill, in_column, scrolled
 from armui.ui.widgets.text_label import ValueLabel, text_label
 from armui.ui.words.arm import END_LOADS, MOUNTINGS
@@ -92,7 +92,7 @@ class MountingCard(HasActs, QFrame):
         self.setProperty("card", True)
         self._heading = QLabel()
         self._choices = QButtonGroup(self)
-        self._told = text_label("mounting_told", wraps=True)
+        self._mounting_label = text_label("mounting_told", wraps=True)
         self._note = text_label(rank="muted", wraps=True)
         row = QHBoxLayout()
         for mounting, name in _CHOICES.items():
@@ -102,7 +102,7 @@ class MountingCard(HasActs, QFrame):
             self._choices.addButton(button, int(mounting))
             row.addWidget(button, 1)
         column = in_column(on=self, margins=(16, 12, 16, 12))
-        fill(column, self._heading, row, self.send, self._told, self._note)
+        fill(column, self._heading, row, self.send, self._mounting_label, self._note)
         self._choices.idToggled.connect(lambda _id, _on: self.show_possible())
 
     @property
@@ -213,7 +213,7 @@ class MountingCard(HasActs, QFrame):
                 "place it under Cell, Base."
             )
             text = f"{text}\n{upright}"
-        self._told.setText(text)
+        self._mounting_label.setText(text)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""
@@ -282,7 +282,7 @@ class EndLoadPanel(Panel):
         }
         for (joint, field), cell in self._cells.items():
             kind = field.partition("_m_")[0].partition("_rad_")[0]
-            tell_quantities(cell, f"arm.end_{kind}.{joint}")
+            set_quantities(cell, f"arm.end_{kind}.{joint}")
         self._lay_out()
         self._loads.idToggled.connect(lambda _load, _on: self.show_acts())
         self._mounting.wanted.connect(self._on_mounting)
@@ -391,7 +391,7 @@ class EndLoadPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.unreachable)
-        self._say(self._refusal or standing, self._event)
+        self._show_refusal(self._refusal or standing, self._event)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QLabel, QSizePolicy, QWidget
 
-from armui.arm.parameters import Batch, Group, Parameter, heard
+from armui.arm.parameters import Batch, Group, Parameter, reading_of
 from armui.control.arm_controller import ArmController
 from armui.ui import format as fmt
 from armui.ui.dialogs.base import ArmDialog, CloseButton
@@ -223,7 +223,7 @@ class CollisionPanel(LevelsPanel):
             parameter.joint
             for parameter, level in self._draft.changes().items()
             if level == _NO_DETECTION
-            and ((known := heard(state, parameter)) is None or known.value != _NO_DETECTION)
+            and ((known := reading_of(state, parameter)) is None or known.value != _NO_DETECTION)
         ]
         if not blind:
             return ""

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFrame
 
 from armui.arm.device import Device
 from armui.arm.models import model_data
-from armui.arm.parameters import Parameter, factory_bound, heard
+from armui.arm.parameters import Parameter, factory_bound, reading_of
 from armui.arm.refusal import Refusal
 from armui.arm.state import Reading
 from armui.control.arm_controller import ArmController
@@ -63,7 +63,7 @@ _LEVELS: Final = {
 
 
 @dataclass(frozen=True, slots=True)
-class _Said:
+class _Message:
     """A text and how much it matters."""
 
     text: str
@@ -385,7 +385,7 @@ class ParameterPanel(Panel):
     def _show_cell(self, cell: SettingCell) -> None:
         parameter, state = cell.parameter, self._controller.state
         stands = self._settings.cell(parameter)
-        known = heard(state, parameter)
+        known = reading_of(state, parameter)
         if self._draft.entry(parameter) is None:
             cell.show_value(None if known is None else known.value)
         cell.set_locked(locked=not self._draft.editing or self._saving.running)
@@ -398,9 +398,9 @@ class ParameterPanel(Panel):
             word = beyond_word(parameter.name, bound)
         cell.show_status(status, word, beyond=bound is not None)
         reason = self._draft.why_wrong(state, parameter) or stands.refusal
-        said = status_explained(status, held) if reason is None else words.refusal(reason)
+        message = status_explained(status, held) if reason is None else words.refusal(reason)
         too_far = "" if bound is None else beyond_factory(parameter, cell.value or 0.0, bound)
-        lines = (full_name(parameter), span_text(parameter.name), too_far, said)
+        lines = (full_name(parameter), span_text(parameter.name), too_far, message)
         cell.describe(full_name(parameter), "\n".join(line for line in lines if line))
 
     def _word(self, cell: SettingCell, status: CellStatus, known: Reading[float] | None) -> str:
@@ -465,11 +465,13 @@ class ParameterPanel(Panel):
 
     def _show_message(self) -> None:
         occupied = self._controller.operating_state.occupied if self._draft.editing else None
-        said = self._said(self._refusal or self._unless_told(self._why_not_here()) or occupied)
-        self._message.show_message(said.text, said.level)
+        message = self._current_message(
+            self._refusal or self._unless_told(self._why_not_here()) or occupied
+        )
+        self._message.show_message(message.text, message.level)
         self._share_room()
 
-    def _said(self, refusal: Refusal | None) -> _Said:
+    def _current_message(self, refusal: Refusal | None) -> _Message:
         """Return the one message: a refusal, an invalid entry, a danger, or that all is saved."""
         state, cell, draft = self._controller.state, self._settings.cell, self._draft
         reasons = (cell(parameter).refusal for parameter in draft.parameters)
@@ -479,31 +481,31 @@ class ParameterPanel(Panel):
             or next((reason for reason in reasons if reason is not None), None)
         )
         if first is not None:
-            return _Said(words.refusal(first), _LEVELS.get(first.reason, level_of(first)))
+            return _Message(words.refusal(first), _LEVELS.get(first.reason, level_of(first)))
         if corrupt := self._corrupt():
             names = listed(full_name(parameter) for parameter in corrupt)
             reason = status_explained(CellStatus.CORRUPT, "")
             text = self.tr("{names}: {reason}").format(names=names, reason=reason)
-            return _Said(text, Level.FAULT)
+            return _Message(text, Level.FAULT)
         danger, asked = self.danger(), self._saving.asked
         if danger:
-            return _Said(danger, Level.WARNING)
+            return _Message(danger, Level.WARNING)
         if asked and all(cell(parameter).state is CellState.SAVED for parameter in asked):
             return self._saved()
-        return _Said("")
+        return _Message("")
 
-    def _saved(self) -> _Said:
+    def _saved(self) -> _Message:
         """Return the message after saving, with the values that the arm has rounded."""
         nearest = [
             f"{full_name(parameter)} {value_text(parameter.name, known.value)}"
             for parameter, value in self._saving.asked.items()
-            if (known := heard(self._controller.state, parameter)) is not None
+            if (known := reading_of(self._controller.state, parameter)) is not None
             and shown_as(parameter, known.value) != shown_as(parameter, value)
         ]
         if not nearest:
-            return _Said(self.tr("Saved; reading back gave the same values."), Level.DONE)
+            return _Message(self.tr("Saved; reading back gave the same values."), Level.DONE)
         text = self.tr("Saved. The arm stores coarser steps; it holds the nearest: {values}.")
-        return _Said(text.format(values=listed(nearest)), Level.DONE)
+        return _Message(text.format(values=listed(nearest)), Level.DONE)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

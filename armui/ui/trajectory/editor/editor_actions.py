@@ -170,7 +170,7 @@ class EditorHint(TableHint):
             keys = self._actions.keys(name)
             button.setText(f"{text}  ({keys.toString(keys.SequenceFormat.NativeText)})")
             button.setAccessibleName(text)
-        self.say(
+        self.set_texts(
             self.tr("No points yet"),
             self.tr(
                 "Bring the arm to the first point, by the jog buttons or by hand, and insert where "

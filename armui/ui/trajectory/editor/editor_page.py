@@ -175,7 +175,7 @@ class EditorPage(Page):
         work.setParent(self)  # with this page deleted, `LibraryWork` drops its results
         self._library = work.library
         self._saving = False
-        self._tells_saved = False
+        self._shows_saved = False
         self._folder = ""
         self.document = Document(trajectory, self)
         self.model = PointsModel(self.document, self._to_move, self._limits, self)
@@ -194,7 +194,7 @@ class EditorPage(Page):
         self._other_arm = OtherArmLine()
         self._message = named("editor_message", MessageLine(keeps_room=False))
         self._findings = FindingsPane(controller)
-        self._plays = self._tells_run = self._tells_refusal = False
+        self._plays = self._shows_run = self._shows_refusal = False
         self._ran: tuple[Progress | None, bool] = None, False
         self._actions = EditorActions(self, self.table, self._handlers())
         self._run_bar = RunBar(
@@ -384,19 +384,21 @@ class EditorPage(Page):
                 "The angles count from the zeros of {arm} now; poses stay as they are. Save it, "
                 "or undo it."
             )
-            self._say(text.format(arm=words.arm_kind(self.document.taught_on)), Level.DONE)
+            self._show_message(text.format(arm=words.arm_kind(self.document.taught_on)), Level.DONE)
         self.table.setFocus()
 
     def _on_send_refused(self, reason: Refusal) -> None:
         self._on_refused(reason)
-        self._tells_refusal = True
+        self._shows_refusal = True
 
     def _on_obstacle_gone(self) -> None:
-        if self._tells_refusal:
-            self._say("")
+        if self._shows_refusal:
+            self._show_message("")
 
     def _on_refused(self, refusal: Refusal | None) -> None:
-        self._say("" if refusal is None else partial(words.refusal, refusal), Level.WARNING)
+        self._show_message(
+            "" if refusal is None else partial(words.refusal, refusal), Level.WARNING
+        )
         if refusal is not None:  # below findings a low window has no room for it
             self.bring_into_sight(self._message)
 
@@ -442,20 +444,20 @@ class EditorPage(Page):
             self.document.edit(draft.points, self.tr("Unsaved changes"))
         else:
             self.document.convert(draft.points, draft.taught_on, self.tr("Unsaved changes"))
-        self._say(
+        self._show_message(
             self.tr(
                 "These changes were not saved when the program ended. Save them, or undo them."
             ),
             Level.WARNING,
         )
 
-    def say_aside(self) -> None:
+    def show_draft_not_applied(self) -> None:
         """Show that unsaved changes based on another version of the file were not applied."""
         text = self.tr(
             "“{name}” has been saved since these unsaved changes were kept: they are not put over "
             "it. They are in the library under “Recently deleted…”."
         )
-        self._say(text.format(name=self.document.name), Level.WARNING)
+        self._show_message(text.format(name=self.document.name), Level.WARNING)
 
     # Checking and running ---------------------------------------------------------------------
 
@@ -490,7 +492,7 @@ class EditorPage(Page):
         self.table.make_room()
         if dropped:
             text = self.tr("The tool has changed: the figure that was being typed is not taken.")
-            self._say(text, Level.WARNING)
+            self._show_message(text, Level.WARNING)
 
     def _forget_check(self) -> None:
         self._findings.clear()
@@ -517,7 +519,7 @@ class EditorPage(Page):
         """Pass on the points with the entry being typed, or ``None`` if that is not valid."""
         untaken = self.table.take_entry()
         if untaken is not None:
-            self._say(partial(self._not_taken, *untaken), Level.WARNING)
+            self._show_message(partial(self._not_taken, *untaken), Level.WARNING)
             self.bring_into_sight(self._message)
         then(self.document.trajectory() if untaken is None else None)
 
@@ -534,7 +536,7 @@ class EditorPage(Page):
         found = self._findings.show_check(checked, accept)
         self.bring_into_sight(self._findings)
         self._mark_rows(found)
-        self._say("")
+        self._show_message("")
         if self.document.saved and checked.whole:
             self._note_check(checked)
         self.preview_wanted.emit(found)
@@ -582,10 +584,10 @@ class EditorPage(Page):
             self._ran = ran
             if any(ran):
                 level = Level.INFO if progress.refusal is None else Level.FAULT
-                self._say(partial(self._of_run, *ran), level)
-                self._tells_run = True
-            elif self._tells_run:
-                self._say("")  # the end of an earlier run
+                self._show_message(partial(self._of_run, *ran), level)
+                self._shows_run = True
+            elif self._shows_run:
+                self._show_message("")  # the end of an earlier run
 
     def _of_run(self, ended: Progress | None, changed: bool) -> str:
         """Return a text on where a run ended, or that it runs other points than the table's."""
@@ -633,10 +635,10 @@ class EditorPage(Page):
                 "Saved. Another program had changed “{name}” since it was opened here: what it "
                 "saved is in the library under “Recently deleted…”."
             )
-            self._say(text.format(name=trajectory.name), Level.WARNING)
+            self._show_message(text.format(name=trajectory.name), Level.WARNING)
         else:
-            self._say(self.tr("Saved."), Level.DONE)
-            self._tells_saved = True
+            self._show_message(self.tr("Saved."), Level.DONE)
+            self._shows_saved = True
         self.saved.emit()
         then()
 
@@ -678,37 +680,37 @@ class EditorPage(Page):
         """Send the arm to the current point at the speed for single motions."""
         move = EDIT_UNDER_WAY() if self._long_edits.busy else self._edits.motion_here()
         if isinstance(move, Refusal):
-            self._tell(move)
+            self._on_outcome(move)
         else:
             drive(self, self._controller, move, self._on_driven, self._edits.current_point)
 
     def _on_driven(self, answer: Started | Refusal) -> None:
-        self._tell(refusal_of(answer))
+        self._on_outcome(refusal_of(answer))
 
     # Texts ------------------------------------------------------------------------------------
 
     def _do(self, edit: Callable[[], Outcome]) -> None:
-        self._tell(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
+        self._on_outcome(EDIT_UNDER_WAY() if self._long_edits.busy else edit())
 
-    def _tell(self, outcome: Outcome) -> None:
+    def _on_outcome(self, outcome: Outcome) -> None:
         if isinstance(outcome, LongEdit):
-            self._long_edits.begin(outcome, self._tell)
+            self._long_edits.begin(outcome, self._on_outcome)
             if self._long_edits.busy:
                 text = self.tr("Working on {count} rows…").format(count=outcome.rows)
-                self._say(text)
+                self._show_message(text)
         elif outcome is None:
-            if not self._tells_run:
-                self._say("")
+            if not self._shows_run:
+                self._show_message("")
         elif isinstance(outcome, TrajectoryFileError):
             text = self.tr("Not pasted. {reason}").format(reason=words.file_error(outcome))
-            self._say(text, Level.WARNING)
+            self._show_message(text, Level.WARNING)
         elif isinstance(outcome, OfOtherArm):
             text = self.tr(
                 "These points were taught on another arm: {pasted}. Those here were taught on "
                 "{here}. The same joint angles may hold the tool elsewhere: check them, or undo."
             )
             kinds = {"pasted": words.arm_kind(outcome.pasted), "here": words.arm_kind(outcome.here)}
-            self._say(text.format(**kinds), Level.WARNING)
+            self._show_message(text.format(**kinds), Level.WARNING)
         elif isinstance(outcome, FrameGiven):
             frame = f"“{outcome.name}”" if outcome.name else self.tr("the base")
             if outcome.lost:
@@ -716,30 +718,30 @@ class EditorPage(Page):
                     "“{lost}” is not known: the figures stayed, and count from {frame} "
                     "now. The points are elsewhere then: check them, or undo."
                 )
-                self._say(text.format(lost=outcome.lost, frame=frame), Level.WARNING)
+                self._show_message(text.format(lost=outcome.lost, frame=frame), Level.WARNING)
             else:
                 text = self.tr("The points stay where they are; their figures are in {frame} now.")
-                self._say(text.format(frame=frame), Level.DONE)
+                self._show_message(text.format(frame=frame), Level.DONE)
         elif isinstance(outcome, OfShownTool):
             text = self.tr(
                 "Pasted as poses of {tool}, as the table shows them. Undo if they are of the "
                 "flange or another tool."
             )
-            self._say(text.format(tool=outcome.tool), Level.WARNING)
+            self._show_message(text.format(tool=outcome.tool), Level.WARNING)
         else:
-            self._say(partial(words.refusal, outcome), Level.WARNING)
+            self._show_message(partial(words.refusal, outcome), Level.WARNING)
 
     def _show_failure(self, text: str) -> None:
-        self._say(text, Level.FAULT)
+        self._show_message(text, Level.FAULT)
 
-    def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_saved = self._tells_run = self._tells_refusal = False
+    def _show_message(self, text: Words, level: Level = Level.INFO) -> None:
+        self._shows_saved = self._shows_run = self._shows_refusal = False
         self._message.show_message(text, level)
 
     def _on_saved_changed(self, saved: bool) -> None:
         self._show_title()
-        if self._tells_saved and not saved:
-            self._say("")
+        if self._shows_saved and not saved:
+            self._show_message("")
 
     def show_folder(self, folder: str) -> None:
         """Show the library's sub-folder before the name; "" for none."""

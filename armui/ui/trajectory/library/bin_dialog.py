@@ -62,7 +62,7 @@ class BinDialog(ArmDialog):
         self._deleted = deleted
         self._fill()
 
-    def say(self, text: Words, level: Level = Level.INFO) -> None:
+    def show_message(self, text: Words, level: Level = Level.INFO) -> None:
         """Show a result."""
         self._message.show_message(text, level)
 
@@ -145,8 +145,8 @@ class RecentlyDeleted(HasActs, QObject):
             # it is deleted with its parent window, which may be a page's own window
             self._dialog.destroyed.connect(self._on_gone)
             self._dialog.wanted.connect(self._actions.bring_back)
-            self._actions.said.connect(self._dialog.say)
-        self._dialog.say("")
+            self._actions.message_changed.connect(self._dialog.show_message)
+        self._dialog.show_message("")
         self.refresh()
         self._dialog.open()
 
@@ -165,4 +165,4 @@ class RecentlyDeleted(HasActs, QObject):
     def _on_refused(self, text: str) -> None:
         if self._dialog is not None:
             self._dialog.show_deleted(())
-            self._dialog.say(text, Level.FAULT)
+            self._dialog.show_message(text, Level.FAULT)

@@ -23,15 +23,15 @@ FILE_CAN_LOG = Reason(
 
 def find_or_import_but_logs(folder: Path, path: Path, new_in: str = "") -> Imported:
     """Find a file's content in the library, or import it; a CAN log is refused as one."""
-    return _told(find_or_import(folder, path, new_in))
+    return _refused_if_log(find_or_import(folder, path, new_in))
 
 
 def import_all_but_logs(folder: Path, paths: Sequence[Path], new_in: str = "") -> list[Imported]:
     """Import files into the library; CAN logs among them are refused as such."""
-    return [_told(each) for each in import_files(folder, paths, new_in)]
+    return [_refused_if_log(each) for each in import_files(folder, paths, new_in)]
 
 
-def _told(imported: Imported) -> Imported:
+def _refused_if_log(imported: Imported) -> Imported:
     """Return the result for a file; a CAN log is refused, although it has columns as a table."""
     # imported here, because the window starts without python-can
     from armui.session.frames import NotALogError  # noqa: PLC0415

@@ -39,11 +39,11 @@ class FolderBar(HasActs, QObject):
 
     Signals:
         shown_changed: Another folder is listed.
-        said: A text and its :class:`Level`.
+        message_changed: A text and its :class:`Level`.
     """
 
     shown_changed = Signal()
-    said = Signal(object, object)
+    message_changed = Signal(object, object)
     menu_button = Act(
         "Folder",
         named="library_folder_menu",
@@ -102,7 +102,7 @@ class FolderBar(HasActs, QObject):
                 "The folder “{name}” is gone: it was renamed, moved or deleted elsewhere. All "
                 "trajectories are listed."
             )
-            self.said.emit(text.format(name=shown_folder(gone)), Level.WARNING)
+            self.message_changed.emit(text.format(name=shown_folder(gone)), Level.WARNING)
             self.shown_changed.emit()
         closed = [name for name in self._closed if name == self._shown]
         if closed:
@@ -141,7 +141,7 @@ class FolderBar(HasActs, QObject):
             "The folder “{name}” cannot be read. Check the rights to it, and its disk or network "
             "share."
         )
-        self.said.emit(text.format(name=shown_folder(self._shown)), Level.WARNING)
+        self.message_changed.emit(text.format(name=shown_folder(self._shown)), Level.WARNING)
 
     # What is done with folders ----------------------------------------------------------------
 

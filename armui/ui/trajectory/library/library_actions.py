@@ -49,11 +49,11 @@ class LibraryActions(HasActs, QObject):
         parent: Its owner.
 
     Signals:
-        said: A text, or a function that returns it, and its :class:`Level`.
+        message_changed: A text, or a function that returns it, and its :class:`Level`.
         changed: The library has changed; with the names to be selected.
     """
 
-    said = Signal(object, object)
+    message_changed = Signal(object, object)
     changed = Signal(object)
     undo_button = Act(
         SHORTCUTS["library.undo"].title,
@@ -215,19 +215,19 @@ class LibraryActions(HasActs, QObject):
         """Return whether one of these is in use; then that is said."""
         why = self._why_used(names)
         if why:
-            self.said.emit(why, Level.WARNING)
+            self.message_changed.emit(why, Level.WARNING)
         return bool(why)
 
     def _on_refused(self, text: str) -> None:
         # the library may have changed since it was listed
         self.changed.emit(None)
         self.show_acts()
-        self.said.emit(text, Level.FAULT)
+        self.message_changed.emit(text, Level.FAULT)
 
     def _done(self, names: Sequence[str] | None, text: Words = "") -> None:
         self.changed.emit(names)
         self.show_acts()
-        self.said.emit(text, Level.DONE)
+        self.message_changed.emit(text, Level.DONE)
 
     # Texts ------------------------------------------------------------------------------------
 

@@ -40,7 +40,7 @@ class LibraryEditors(QObject):
         editor_opened: An :class:`EditorPage`, before it is shown.
         recorder_opened: A :class:`RecordingPage` likewise.
         changed: Something was saved or left; with the names to be selected, or ``None``.
-        said: A text and its :class:`Level`.
+        message_changed: A text and its :class:`Level`.
         refused: The library's reason for a refusal, as a text.
     """
 
@@ -48,7 +48,7 @@ class LibraryEditors(QObject):
     editor_opened = Signal(object)
     recorder_opened = Signal(object)
     changed = Signal(object)
-    said = Signal(str, object)
+    message_changed = Signal(str, object)
     refused = Signal(str)
 
     def __init__(
@@ -101,7 +101,7 @@ class LibraryEditors(QObject):
             unsaved: True if only unsaved changes of it exist.
         """
         if taken := why_taken("editor.open"):
-            self.said.emit(taken, Level.WARNING)
+            self.message_changed.emit(taken, Level.WARNING)
         elif name in self._editors:
             self._editors[name].open()
         elif unsaved:
@@ -134,10 +134,10 @@ class LibraryEditors(QObject):
         """Open a trajectory that was read, with its unsaved changes."""
 
         def damaged(text: str) -> None:
-            self.said.emit(text, Level.WARNING)
+            self.message_changed.emit(text, Level.WARNING)
             self._show_editor(trajectory, None)
 
-        def look() -> tuple[Trajectory | None, bool]:
+        def read() -> tuple[Trajectory | None, bool]:
             aside = self._library.set_aside_draft(trajectory)
             return self._library.draft(trajectory.name), aside
 
@@ -145,7 +145,7 @@ class LibraryEditors(QObject):
             draft, aside = found
             self._show_editor(trajectory, draft, aside=aside)
 
-        self._work.do(look, show, damaged)
+        self._work.do(read, show, damaged)
 
     def _show_editor(
         self, trajectory: Trajectory, draft: Trajectory | None, *, aside: bool = False
@@ -160,7 +160,7 @@ class LibraryEditors(QObject):
         )
         editor.show_folder(self._folders.get(name, ""))
         if aside:
-            editor.say_aside()
+            editor.show_draft_not_applied()
         self._editors[name] = editor
         self.page_made.emit(editor)
         self.editor_opened.emit(editor)

@@ -206,18 +206,18 @@ class ImportReport(ArmDialog):
         self._table.setHorizontalHeaderLabels([self.tr("File"), self.tr("Result")])
         self._table.setAccessibleName(self.tr("Import results"))
         for row, result in enumerate(self._results):
-            for column, cell in enumerate((result.file, self._tell(result))):
+            for column, cell in enumerate((result.file, self._result_text(result))):
                 item = QTableWidgetItem(cell)
                 item.setToolTip(cell)
                 self._table.setItem(row, column, item)
 
-    def _tell(self, result: Result) -> str:
+    def _result_text(self, result: Result) -> str:
         """A sign and a sentence."""
         if result.problem:
             return f"✕ {result.problem}"
-        return "\n".join((self._tell_name(result), *(f"! {note}" for note in result.notes)))
+        return "\n".join((self._name_text(result), *(f"! {note}" for note in result.notes)))
 
-    def _tell_name(self, result: Result) -> str:
+    def _name_text(self, result: Result) -> str:
         if result.name != result.requested:
             text = self.tr("✓ As “{name}”: the name “{requested}” was taken")
             return text.format(name=result.name, requested=result.requested)
@@ -280,13 +280,13 @@ class LibraryExchange(HasActs, QObject):
         report: The button that shows the result of each of several files, as long as their message.
 
     Signals:
-        said: A text, or a function that returns it, and its :class:`Level`.
+        message_changed: A text, or a function that returns it, and its :class:`Level`.
         imported: The names of imported trajectories.
         checked: The :class:`Preflight` of one that was imported.
         found: The name of a trajectory to be opened, when its file has been imported.
     """
 
-    said = Signal(object, object)
+    message_changed = Signal(object, object)
     imported = Signal(object)
     checked = Signal(object)
     found = Signal(str)
@@ -306,7 +306,7 @@ class LibraryExchange(HasActs, QObject):
         self.by_columns = ColumnsOffer(work, controller, window)
         self._results: Sequence[Result] = ()
         self.by_columns.imported.connect(self._on_by_columns)
-        self.by_columns.refused.connect(lambda text: self.said.emit(text, Level.FAULT))
+        self.by_columns.refused.connect(lambda text: self.message_changed.emit(text, Level.FAULT))
 
     def withdraw_offers(self) -> None:
         """Hide the offers, because another message is shown."""
@@ -340,9 +340,9 @@ class LibraryExchange(HasActs, QObject):
         page opens at once.
         """
         if taken := why_taken("library.import"):
-            self.said.emit(taken, Level.WARNING)
+            self.message_changed.emit(taken, Level.WARNING)
         elif paths:
-            self._say_reading(paths)
+            self._show_reading(paths)
             self._background.begin(
                 Job(self._on_imported),
                 import_all_but_logs,
@@ -353,21 +353,21 @@ class LibraryExchange(HasActs, QObject):
 
     def open_file(self, path: Path) -> None:
         """Find a file's content in the library, or import it: see `found`."""
-        self._say_reading([path])
+        self._show_reading([path])
         self._background.begin(
             *(Job(self._on_found), find_or_import_but_logs),
             *(self._library.folder, path, self._library.new_in),
         )
 
-    def _say_reading(self, paths: Sequence[Path]) -> None:
+    def _show_reading(self, paths: Sequence[Path]) -> None:
         names = fmt.name_list([path.name for path in paths])
-        self.said.emit(self.tr("Reading {names}…").format(names=names), Level.INFO)
+        self.message_changed.emit(self.tr("Reading {names}…").format(names=names), Level.INFO)
 
     def _on_found(self, found: Imported | Refusal) -> None:
         if not isValid(self):
             return  # the program is ending
         if isinstance(found, Imported) and found.was_there:
-            self.said.emit("", Level.INFO)
+            self.message_changed.emit("", Level.INFO)
         else:
             self._on_imported(found if isinstance(found, Refusal) else [found])
         if isinstance(found, Imported) and found.name:
@@ -378,28 +378,28 @@ class LibraryExchange(HasActs, QObject):
             return  # the program is ending
         if isinstance(imported, Refusal):
             self.imported.emit([])
-            self.said.emit(words.refusal(imported), Level.FAULT)
+            self.message_changed.emit(words.refusal(imported), Level.FAULT)
             return
         results = list(map(self._result, imported))
         names = [one.name for one in imported if one.name]
         self.imported.emit(names)
         failed = any(result.problem or result.notes for result in results)
-        told = partial(self._tell_of, imported)
+        message = partial(self._imported_text, imported)
         tables = [one.path for one in imported if one.is_table]
-        self._tell_checked(told, names, Level.WARNING if failed else Level.DONE)
+        self._show_checked(message, names, Level.WARNING if failed else Level.DONE)
         self.by_columns.show_for(tables)
         self._offer_report(results if len(results) > 1 else ())
         if tables and len(tables) == len(imported):
             self.by_columns.lead()
 
-    def _tell_checked(self, told: Callable[[], str], names: Sequence[str], level: Level) -> None:
+    def _show_checked(self, message: Callable[[], str], names: Sequence[str], level: Level) -> None:
         """Say what was imported, and once it is checked, what of it this arm cannot do."""
-        self.said.emit(told, level)
+        self.message_changed.emit(message, level)
         # the check is dropped when this changes, because another message is shown
         self._to_check = names
-        in_order(self._check(names, told), lambda: isValid(self) and self._to_check is names)
+        in_order(self._check(names, message), lambda: isValid(self) and self._to_check is names)
 
-    def _check(self, names: Sequence[str], told: Callable[[], str]) -> Steps:
+    def _check(self, names: Sequence[str], message: Callable[[], str]) -> Steps:
         beyond: list[tuple[str, Finding]] = []
         # one at a time, so that other requests wait for one step at most
         for name in names:
@@ -410,17 +410,19 @@ class LibraryExchange(HasActs, QObject):
                 beyond += _beyond(checked)
         if beyond:
             paths, results = self.by_columns.paths, self._results
-            self.said.emit(partial(self._tell_beyond, told, beyond), Level.WARNING)
+            self.message_changed.emit(partial(self._beyond_text, message, beyond), Level.WARNING)
             self.by_columns.show_for(paths)
             self._offer_report(results)
 
-    def _tell_beyond(self, told: Callable[[], str], beyond: Sequence[tuple[str, Finding]]) -> str:
+    def _beyond_text(
+        self, message: Callable[[], str], beyond: Sequence[tuple[str, Finding]]
+    ) -> str:
         text = self.tr("The arm cannot run “{name}”. {reason}")
         lines = [text.format(name=name, reason=placed_finding(found)) for name, found in beyond]
         rest = self.tr("And {count} more. Open it and press Check to see them.")
-        return "\n".join([told(), *_problem_lines(lines, "{reason}", rest)])
+        return "\n".join([message(), *_problem_lines(lines, "{reason}", rest)])
 
-    def _tell_of(self, imported: Sequence[Imported]) -> str:
+    def _imported_text(self, imported: Sequence[Imported]) -> str:
         """Return what became of some files, in as few lines as an operator reads."""
         results = list(map(self._result, imported))
         taken = [result.name for result in results if not result.problem]
@@ -440,7 +442,7 @@ class LibraryExchange(HasActs, QObject):
         tables = [each.path.name for each in imported if each.is_table]
         several = len(tables) > 1  # the text has one line for all of them
         if several:
-            lines.append(self._tell_left(tables))
+            lines.append(self._not_imported_text(tables))
         problems = [
             result.problem
             for each, result in zip(imported, results, strict=True)
@@ -451,7 +453,7 @@ class LibraryExchange(HasActs, QObject):
         rest = self.tr("Not imported either: {count} more. See the results.")
         return "\n".join([*lines, *_problem_lines(problems, one, rest)])
 
-    def _tell_left(self, names: Sequence[str]) -> str:
+    def _not_imported_text(self, names: Sequence[str]) -> str:
         text = self.tr("Not imported yet: {names}. Press “Import by columns…”.")
         return text.format(names=fmt.name_list(names))
 
@@ -463,14 +465,14 @@ class LibraryExchange(HasActs, QObject):
         """Report one imported table, and offer the others that are left."""
         left = self.by_columns.paths
 
-        def told() -> str:
+        def message() -> str:
             text = self.tr("Imported: {names}").format(names=name)
             if left:
-                text += "\n" + self._tell_left([path.name for path in left])
+                text += "\n" + self._not_imported_text([path.name for path in left])
             return text
 
         self.imported.emit([name])
-        self._tell_checked(told, [name], Level.DONE)
+        self._show_checked(message, [name], Level.DONE)
         self.by_columns.show_for(left)
 
     def export(self, names: Sequence[str], suffix: str) -> None:
@@ -497,7 +499,7 @@ class LibraryExchange(HasActs, QObject):
         self._work.do(
             lambda: write_all(self._library, names, path_of, of),
             partial(self._on_written, of.tool),
-            lambda text: self.said.emit(text, Level.FAULT),
+            lambda text: self.message_changed.emit(text, Level.FAULT),
         )
 
     def _on_written(self, tool: Tool | None, result: tuple[list[str], list[Failure]]) -> None:
@@ -512,7 +514,7 @@ class LibraryExchange(HasActs, QObject):
             lines.append(text.format(tool=named if tool.name else self.tr("the tool")))
         one, rest = self.tr("Not exported. {reason}"), self.tr("Not exported either: {count} more.")
         lines += _problem_lines(problems, one, rest)
-        self.said.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
+        self.message_changed.emit("\n".join(lines), Level.FAULT if problems else Level.DONE)
 
 
 def _beyond(checked: Preflight) -> Iterator[tuple[str, Finding]]:

@@ -88,7 +88,7 @@ class LibraryModel(TableModel):
         self._arm: ArmModel | None = None
         self._kind = ""
         self._fingerprints: dict[tuple[str, ...], str] = {}
-        self._tells_folders = True
+        self._shows_folders = True
         self._found_of = ""
         self._sort_keys: dict[tuple[int, int], tuple[Any, ...]] = {}
 
@@ -126,11 +126,11 @@ class LibraryModel(TableModel):
         self.endResetModel()
         return True
 
-    def tell_folders(self, *, tells: bool) -> None:
+    def show_folders(self, *, shown: bool) -> None:
         """Show the folder beside each name, or not: then all are in the same one."""
-        if tells == self._tells_folders:
+        if shown == self._shows_folders:
             return
-        self._tells_folders = tells
+        self._shows_folders = shown
         self._redraw(LibraryColumn.NAME)
 
     def show_for(self, arm: ArmModel) -> None:
@@ -238,7 +238,7 @@ class LibraryModel(TableModel):
     def name(self, entry: IndexEntry) -> str:
         """Return its name, with a star for unsaved changes, and its folder."""
         name = f"{entry.name} *" if entry.name in self._drafts else entry.name
-        folder = shown_folder(entry.folder) if self._tells_folders else ""
+        folder = shown_folder(entry.folder) if self._shows_folders else ""
         return f"{name} · {folder}" if folder else name
 
     def count(self, entry: IndexEntry) -> str:

@@ -122,7 +122,7 @@ class LibraryPage(Page):
         )
         self._name_bar = NameBar()
         self._unsaved = UnsavedRecordingLine(self._work)
-        self._unsaved.look()
+        self._unsaved.refresh()
         self._model = LibraryModel(self)
         self._shown = LibraryFilter(self._model, self)
         self._bar = LibraryBar()
@@ -137,9 +137,9 @@ class LibraryPage(Page):
         self._findings = FindingsPane(controller)
         self._found_of = ""
         """The name of the trajectory that the findings are about."""
-        self._said_of = ""
+        self._message_of = ""
         """The name of the trajectory whose refused run the message is about."""
-        self._tells_end = False
+        self._shows_end = False
         self._run_bar = RunBar(
             controller, self._checks, self._choices, self._to_run, self._to_estimate
         )
@@ -202,7 +202,7 @@ class LibraryPage(Page):
         listen_for("library.undo", self, self._actions.undo_button.click)
         self._bar.search.textChanged.connect(self._on_search)
         self._folder_bar.shown_changed.connect(self._show_folder)
-        self._folder_bar.said.connect(self._say)
+        self._folder_bar.message_changed.connect(self._show_message)
         self._name_bar.closed.connect(self._table.setFocus)
         self._hint.clear_wanted.connect(self._bar.search.clear)
         self._table.doubleClicked.connect(self._on_double_click)
@@ -210,14 +210,14 @@ class LibraryPage(Page):
         self._table.selectionModel().selectionChanged.connect(self._show_usable)
         self._model.modelReset.connect(self._show_usable)
         self._model.rename_wanted.connect(self._actions.rename)
-        self._actions.said.connect(self._say)
+        self._actions.message_changed.connect(self._show_message)
         self._actions.changed.connect(self._on_action)
         self._watch.changed.connect(self._on_folder)
         self._unsaved.kept.connect(self._on_recording_kept)
         self._unsaved.discarded.connect(self._on_recording_discarded)
         self._unsaved.refused.connect(self._on_refused)
         FileDrop(self).dropped.connect(self._exchange.import_files)
-        self._exchange.said.connect(self._say)
+        self._exchange.message_changed.connect(self._show_message)
         self._exchange.imported.connect(self._on_imported)
         self._exchange.checked.connect(self._mark)
         self._exchange.found.connect(self.open_trajectory)
@@ -226,7 +226,7 @@ class LibraryPage(Page):
         self.editors.editor_opened.connect(self.editor_opened)
         self.editors.recorder_opened.connect(self._on_recorder)
         self.editors.changed.connect(self.refresh)
-        self.editors.said.connect(self._say)
+        self.editors.message_changed.connect(self._show_message)
         self.editors.refused.connect(self._on_refused)
         self._controller.operating_state_changed.connect(self._on_operating_state)
         self._run_bar.listen(self)
@@ -274,7 +274,7 @@ class LibraryPage(Page):
         self._work.do(
             lambda: (self._watch.times(), self._actions.listing(), self._presence.others()),
             lambda seen: self._show_listing(choose, *seen),
-            lambda text: self._say(text, Level.FAULT),
+            lambda text: self._show_message(text, Level.FAULT),
         )
 
     def _show_listing(
@@ -292,7 +292,7 @@ class LibraryPage(Page):
         self._folder_bar.show_listing(listing)
         self.editors.show_folders({each.name: each.folder for each in listing.entries})
         self._shared_use.show_others(others)
-        self._name_bar.look()
+        self._name_bar.refresh_suggestion()
         self._deleted.refresh()
         self._actions.show_acts()
         if choose:
@@ -341,7 +341,7 @@ class LibraryPage(Page):
         folder = self._folder_bar.shown
         self._library.new_in = folder
         self._shown.show_folder(folder)
-        self._model.tell_folders(tells=not folder or bool(self._bar.search.text()))
+        self._model.show_folders(shown=not folder or bool(self._bar.search.text()))
         self._show_usable()  # Qt emits no signal when selected rows are filtered out
         self._drop_unchosen()
         self._show_hint()
@@ -357,11 +357,11 @@ class LibraryPage(Page):
 
     def _on_recording_kept(self, name: str) -> None:
         self.refresh([name])
-        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+        self._show_message(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
 
     def _on_recording_discarded(self, name: str) -> None:
         self.refresh()
-        self._say(self.tr("Deleted: {names}").format(names=name), Level.DONE)
+        self._show_message(self.tr("Deleted: {names}").format(names=name), Level.DONE)
 
     def _on_imported(self, names: Sequence[str]) -> None:
         self._actions.note_imported(names)
@@ -410,8 +410,8 @@ class LibraryPage(Page):
             self._run_bar.drop_check(but=name)
             if name != self._found_of:
                 self._drop_findings()
-            if self._said_of not in ("", name):
-                self._say("")
+            if self._message_of not in ("", name):
+                self._show_message("")
 
     # Durations --------------------------------------------------------------------------------
 
@@ -486,11 +486,11 @@ class LibraryPage(Page):
         chosen = self._chosen_names()
         if len(chosen) != 1:
             none = NO_ROWS_CHOSEN()
-            self._say(partial(words.refusal, none), Level.WARNING)
+            self._show_message(partial(words.refusal, none), Level.WARNING)
             then(None)
         elif self._model.is_unsaved(chosen[0]):
             text = self.tr("“{name}” is not saved yet. Open it and save it first.")
-            self._say(text.format(name=chosen[0]), Level.WARNING)
+            self._show_message(text.format(name=chosen[0]), Level.WARNING)
             then(None)
         else:
 
@@ -518,7 +518,7 @@ class LibraryPage(Page):
         self._found_of = checked.content.name
         self._model.note_found(self._found_of if checked.findings else "")
         self._mark(checked)
-        self._say("")
+        self._show_message("")
         found = self._findings.show_check(checked, accept)
         self._findings.setVisible(bool(checked.findings) or accept is not None)
         self.bring_into_sight(self._findings)
@@ -541,18 +541,20 @@ class LibraryPage(Page):
             row, done = progress.index + 1, fmt.percent(100.0 * progress.done)
             reason = words.why_ended(progress.refusal)
             text = text.format(name=progress.name, row=row, done=done, reason=reason)
-            self._say(text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT)
-            self._tells_end = True
-        elif self._tells_end:
-            self._say("")  # the end of an earlier run
+            self._show_message(
+                text.rstrip(), Level.INFO if progress.refusal is None else Level.FAULT
+            )
+            self._shows_end = True
+        elif self._shows_end:
+            self._show_message("")  # the end of an earlier run
 
     def _on_run_refused(self, reason: Refusal) -> None:
-        self._say(partial(words.refusal, reason), Level.WARNING)
-        self._said_of = next(iter(self._chosen_names()), "")
+        self._show_message(partial(words.refusal, reason), Level.WARNING)
+        self._message_of = next(iter(self._chosen_names()), "")
 
     def _on_obstacle_gone(self) -> None:
-        if self._said_of:
-            self._say("")
+        if self._message_of:
+            self._show_message("")
 
     def _on_started(self, name: str, options: RunOptions) -> None:
         self._work.do(lambda: self._library.note_run(name, options), refused=self._on_refused)
@@ -593,12 +595,12 @@ class LibraryPage(Page):
     def _on_refused(self, text: str) -> None:
         """Show a refusal of the library."""
         self.refresh()  # it may be refused because somebody else has changed the library
-        self._say(text, Level.FAULT)
+        self._show_message(text, Level.FAULT)
 
     # Texts ------------------------------------------------------------------------------------
 
-    def _say(self, text: Words, level: Level = Level.INFO) -> None:
-        self._tells_end, self._said_of = False, ""
+    def _show_message(self, text: Words, level: Level = Level.INFO) -> None:
+        self._shows_end, self._message_of = False, ""
         self._exchange.withdraw_offers()
         self._message.show_message(text, level)
         for part in self._below:  # a message of many lines must not put its buttons out of sight

@@ -156,4 +156,4 @@ class LibraryHint(TableHint):
                 "Create one and enter its points, record a motion of the arm, or import files. "
                 "Files can also be dropped here."
             )
-        self.say(title, text)
+        self.set_texts(title, text)

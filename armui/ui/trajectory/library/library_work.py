@@ -56,10 +56,10 @@ class LibraryWork(QObject):
             refused: Receives the reason for a refusal, in the operator's language.
         """
         self._background.begin_here(
-            Job(partial(self._tell, then, refused)), _run_alone, self.library, action
+            Job(partial(self._on_done, then, refused)), _run_alone, self.library, action
         )
 
-    def _tell(
+    def _on_done(
         self,
         then: Callable[[Any], object],
         refused: Callable[[str], object],

@@ -78,7 +78,7 @@ class NameBar(HasActs, Translated, QWidget):
         self._field.setFocus()
         self._field.selectAll()
 
-    def look(self) -> None:
+    def refresh_suggestion(self) -> None:
         """Renew a suggestion that nobody has changed: the names taken may be others now."""
         if self._question is None or self._given:
             return

@@ -289,7 +289,7 @@ class RecordingPage(Page):
     def _begin(self) -> None:
         answer = self._controller.recorder.start()
         if isinstance(answer, Refusal):
-            self._say(partial(words.refusal, answer), Level.WARNING)
+            self._show_message(partial(words.refusal, answer), Level.WARNING)
         else:
             self._drop_work()
             self._recording = self._result = None
@@ -299,7 +299,7 @@ class RecordingPage(Page):
             self.cut_changed.emit()
             taught_on = self._controller.operating_state.model_fit.taught_on
             self._keeper.begin(self._wanted_name(), taught_on)
-            self._say("")
+            self._show_message("")
         self._show_state()
 
     def _show_growing(self) -> None:
@@ -321,18 +321,20 @@ class RecordingPage(Page):
 
     def _on_not_kept(self, text: str) -> None:
         said = self.tr("It is in memory alone until it is saved. {reason}").format(reason=text)
-        self._say(said, Level.WARNING)
+        self._show_message(said, Level.WARNING)
 
     def _take(self) -> None:
         name = self._wanted_name()
         recorded = self._controller.recorder.finish(name)
         if recorded is None:
-            self._say(self.tr("Nothing was recorded: the arm reported no angles."), Level.WARNING)
+            self._show_message(
+                self.tr("Nothing was recorded: the arm reported no angles."), Level.WARNING
+            )
             self._show_state()
             return
         self._keeper.write()
         self._unsaved = self._joining = True
-        self._say(self.tr("Working…"))
+        self._show_message(self.tr("Working…"))
         self._show_state()
         self._work.do(
             lambda: recorded.joined(self._library.free_name(name)),
@@ -341,12 +343,12 @@ class RecordingPage(Page):
         )
 
     def _on_joined(self, recording: Recording) -> None:
-        self._say("")
+        self._show_message("")
         self._show_joined(recording)
 
     def _on_not_joined(self, recorded: Recorded, text: str) -> None:
         """The library cannot be read: the recording is kept under the name that was asked for."""
-        self._say(text, Level.FAULT)
+        self._show_message(text, Level.FAULT)
         self._work.do(recorded.joined, self._show_joined)
 
     def _show_joined(self, recording: Recording) -> None:
@@ -428,7 +430,7 @@ class RecordingPage(Page):
     ) -> None:
         self._job = None
         if isinstance(result, Refusal):
-            self._say(partial(words.refusal, result), Level.FAULT)
+            self._show_message(partial(words.refusal, result), Level.FAULT)
             result = None
         self._result = result
         self._show_kept()
@@ -471,9 +473,9 @@ class RecordingPage(Page):
 
     def _show_preview(self, checked: Preflight | Refusal) -> None:
         if isinstance(checked, Refusal):
-            self._say(partial(words.refusal, checked), Level.FAULT)
+            self._show_message(partial(words.refusal, checked), Level.FAULT)
             return
-        self._say(self.tr("The path is shown in the 3D view."))
+        self._show_message(self.tr("The path is shown in the 3D view."))
         self.preview_wanted.emit(checked)
 
     # Keeping ----------------------------------------------------------------------------------
@@ -510,14 +512,16 @@ class RecordingPage(Page):
             return name
 
         self._work.do(
-            save, partial(self._on_saved, whole, then), lambda text: self._say(text, Level.FAULT)
+            save,
+            partial(self._on_saved, whole, then),
+            lambda text: self._show_message(text, Level.FAULT),
         )
 
     def _on_saved(self, whole: Recording | None, then: Callable[[], object], name: str) -> None:
         if self._recording is whole:
             self._unsaved = False
             self._keeper.drop()
-        self._say(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
+        self._show_message(self.tr("Saved as “{name}”.").format(name=name), Level.DONE)
         self.saved.emit(name)
         then()
 
@@ -556,7 +560,7 @@ class RecordingPage(Page):
             text = self.tr("Lead the arm by hand, or move it by anything, while it records.")
         else:
             samples = self._recording.samples
-            text = self._told().format(
+            text = self._state_text().format(
                 time=fmt.duration(self._recording.duration_s),
                 count=fmt.count(len(samples)),
                 size=size_text(samples.nbytes),
@@ -571,7 +575,7 @@ class RecordingPage(Page):
         recording = self._controller.recorder.recording
         return self.tr("Stop recording") if recording else self.tr("Start recording")
 
-    def _told(self) -> str:
+    def _state_text(self) -> str:
         """Return the heading; without an arm's name it is an import, or of an unknown arm."""
         if self._recording is not None and self._is_kept and not self._recording.taught_on:
             return self.tr("Imported file, or of an unknown arm: {time}, {count} samples, {size}")
@@ -601,7 +605,7 @@ class RecordingPage(Page):
         recording = self._controller.recorder.recording
         return None if recording else self._controller.operating_state.unreachable
 
-    def _say(self, text: Words, level: Level = Level.INFO) -> None:
+    def _show_message(self, text: Words, level: Level = Level.INFO) -> None:
         self._message.show_message(text, level)
 
     def retranslate_ui(self) -> None:

@@ -51,7 +51,7 @@ class UnsavedRecordingLine(HasActs, Translated, QWidget):
         in_row((self._message, 1), self._keep, self._discard, on=self, spacing=8, margins=0)
         self.retranslate_ui()
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Search for unsaved recordings of earlier programs."""
         self._work.do(self._work.library.unsaved_recordings, self._show_found, self.refused.emit)
 
@@ -68,7 +68,7 @@ class UnsavedRecordingLine(HasActs, Translated, QWidget):
 
     def _on_kept(self, name: str) -> None:
         self.kept.emit(name)
-        self.look()
+        self.refresh()
 
     @_discard.pressed
     def _on_discard(self) -> None:
@@ -78,11 +78,11 @@ class UnsavedRecordingLine(HasActs, Translated, QWidget):
 
     def _on_discarded(self, deleted: Deleted) -> None:
         self.discarded.emit(deleted.names[0])
-        self.look()
+        self.refresh()
 
     def _on_refused(self, text: str) -> None:
         self.refused.emit(text)
-        self.look()  # another program may have decided meanwhile
+        self.refresh()  # another program may have decided meanwhile
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

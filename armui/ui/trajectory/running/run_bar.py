@@ -213,7 +213,7 @@ class RunBar(Translated, QWidget):
         self._request: RunRequest | None = None
         self._recording = self._unsaved = False
         self._nothing: Refusal | None = None
-        self._stands_back = False
+        self._is_secondary = False
         self._runner = Runner(controller, self)
         self._again: _Started | None = None
         self._make_widgets()
@@ -421,7 +421,7 @@ class RunBar(Translated, QWidget):
 
     def show_secondary(self, wanted: bool) -> None:
         """Set whether running is not the main action of the page."""
-        self._stands_back = wanted
+        self._is_secondary = wanted
         self._show_usable()
 
     def check(self) -> None:
@@ -449,7 +449,7 @@ class RunBar(Translated, QWidget):
             read=self._content,
             options=options,
             speed_percent=self._begins_at,
-            told=self._on_request,
+            on_state=self._on_request,
             runs=runs,
             why_not=why_not,
         )
@@ -573,7 +573,7 @@ class RunBar(Translated, QWidget):
         enable_or_explain(self._send, reason, self.tr("Checks it and runs it"), key=_SEND_KEY)
         # the question has its own primary button
         asks = self._request is not None and self._request.asks
-        show_primary(self._send, wanted=not (self._stands_back or asks))
+        show_primary(self._send, wanted=not (self._is_secondary or asks))
         self._recolor()
         self._state.setText(self.tr("Checking…") if checking else "")
         self._state.setVisible(checking)

@@ -92,17 +92,17 @@ class RunStrip(HasActs, Translated, QWidget):
         self._text = named("run_text", ElidedLabel())
         self._bar = named("run_bar", QProgressBar(maximum=_STEPS, textVisible=False))
         self._bar.setFixedWidth(_BAR_PX)
-        self._told = QWidget()
+        self._texts = QWidget()
         self._beside = self._stood_first = False
         self._buttons_px = 0
         self._ends = QTimer(self, singleShot=True, interval=END_MS)
-        self._ends.timeout.connect(self._on_told)
-        self._tells_end = False
+        self._ends.timeout.connect(self._on_end_shown)
+        self._shows_end = False
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        in_row((lines, 1), self._bar, on=self._told, spacing=12, margins=0)
-        self._row = in_row((self._told, 1), self._next, on=self, spacing=12)
+        in_row((lines, 1), self._bar, on=self._texts, spacing=12, margins=0)
+        self._row = in_row((self._texts, 1), self._next, on=self, spacing=12)
         fill(self._row, self._pause, self._continue, self._stop, self._close)
         self._row.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, 0)
         self._runner.progressed.connect(self._on_progress)
@@ -190,31 +190,31 @@ class RunStrip(HasActs, Translated, QWidget):
         RunStrip._pause.show(self)
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
-        self._told.setVisible(not (running and self._beside))
+        self._texts.setVisible(not (running and self._beside))
         # beside an obstacle the end's text takes their width, so that its button stays in place
         if running:
             self._buttons_px = self._row.sizeHint().width() - 2 * _SIDE_PX if self._beside else 0
         self._close.setVisible(not running and (self.stands_first or not self._beside))
         told_px = self._buttons_px or _LEAST_PX
-        self._told.setMaximumWidth(told_px if self._beside else _UNBOUNDED_PX)
-        self._told.setMinimumWidth(told_px if self._beside else 0)
+        self._texts.setMaximumWidth(told_px if self._beside else _UNBOUNDED_PX)
+        self._texts.setMinimumWidth(told_px if self._beside else 0)
         self._bar.setVisible(not self._beside)
-        self._tell_end(wanted=self.isVisible() and not running)
+        self._show_end(wanted=self.isVisible() and not running)
         self.update()
         if self.stands_first != self._stood_first:
             self._stood_first = self.stands_first
             self.turned.emit()
 
-    def _tell_end(self, *, wanted: bool) -> None:
+    def _show_end(self, *, wanted: bool) -> None:
         """Show the end of a run until a time has passed, or until the first press anywhere.
 
         A failed one is closed only by its own button. Beside an obstacle no press elsewhere closes
         it, which might move the obstacle's button under the pointer.
         """
         app = QApplication.instance()
-        if wanted == self._tells_end or app is None:
+        if wanted == self._shows_end or app is None:
             return
-        self._tells_end = wanted
+        self._shows_end = wanted
         if not wanted:
             self._ends.stop()
             app.removeEventFilter(self)
@@ -223,7 +223,7 @@ class RunStrip(HasActs, Translated, QWidget):
             app.installEventFilter(self)
             self._ends.start()
 
-    def _on_told(self) -> None:
+    def _on_end_shown(self) -> None:
         row = self.parentWidget()
         if self._beside and row is not None and row.underMouse():
             self._ends.start()
@@ -318,7 +318,7 @@ class RunStrip(HasActs, Translated, QWidget):
         """Drop a refusal, which does not concern the next run."""
         super().hideEvent(event)
         self._refusal = None
-        self._tell_end(wanted=False)
+        self._show_end(wanted=False)
         self.turned.emit()
 
     def paintEvent(self, _event: QPaintEvent) -> None:

@@ -123,7 +123,7 @@ class ColumnsPage(Page):
         self._table = ColumnsTable(table.sheet)
         self._dialect_bar = DialectBar()
         self._misread = ""
-        self._move_said = False
+        self._move_chosen = False
         self._work: TableImport | None = None
         self._make_widgets()
         self._lay_out()
@@ -176,7 +176,7 @@ class ColumnsPage(Page):
         self._name.textChanged.connect(self._show_usable)
         for unit, button in self._units.items():
             button.clicked.connect(
-                lambda _checked=False, unit=unit: self._table.say_unit(self._angles, unit)
+                lambda _checked=False, unit=unit: self._table.set_unit(self._angles, unit)
             )
         self.import_button.clicked.connect(self._import)
         self._cancel.clicked.connect(self.leave)
@@ -244,7 +244,7 @@ class ColumnsPage(Page):
 
     def _on_move(self) -> None:
         """Note the operator's choice, so that it is not guessed any more."""
-        self._move_said = True
+        self._move_chosen = True
 
     def _read_anew(self) -> None:
         """Read the file again by the chosen dialect; show the reason if that is not possible."""
@@ -261,14 +261,14 @@ class ColumnsPage(Page):
     def _show_file(self) -> None:
         """Show the file; the operator's choices stay while the number of columns is the same."""
         sheet, old = self._file.sheet, self._table
-        said = old.said if len(old.columns) == sheet.width else {}
-        self._table = ColumnsTable(sheet, said)
+        chosen = old.chosen if len(old.columns) == sheet.width else {}
+        self._table = ColumnsTable(sheet, chosen)
         self._table.changed.connect(self._show_usable)
         self.body.replaceWidget(old, self._table)
         old.setParent(None)
         old.deleteLater()
         self._dialect_bar.show_table(self._file)
-        if not self._move_said:
+        if not self._move_chosen:
             self._moves.setCurrentIndex(_MOVES.index(self._likely_move()))
         self._source.setText(self._describe())
 

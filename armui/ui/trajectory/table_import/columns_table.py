@@ -192,7 +192,7 @@ _LONGEST_CELL: Final = 200
 _KIN: Final = (JOINTS, POSE[:3], POSE[3:])
 """The quantities that share a unit in most files."""
 
-Said = Mapping[int, tuple[TableColumn | None, bool]]
+ChosenColumns = Mapping[int, tuple[TableColumn | None, bool]]
 
 
 class ColumnsTable(QScrollArea):
@@ -200,10 +200,10 @@ class ColumnsTable(QScrollArea):
 
     Args:
         sheet: The table's layout, with its first rows and the guesses.
-        said: The :attr:`said` of a table that was shown before.
+        chosen: The :attr:`chosen` of a table that was shown before.
 
     Attributes:
-        said: The operator's own choices by index, each with whether its unit was guessed.
+        chosen: The operator's own choices by index, each with whether its unit was guessed.
 
     Signals:
         changed: The operator chose another quantity or unit.
@@ -211,18 +211,18 @@ class ColumnsTable(QScrollArea):
 
     changed = Signal()
 
-    def __init__(self, sheet: Sheet, said: Said | None = None) -> None:
+    def __init__(self, sheet: Sheet, chosen: ChosenColumns | None = None) -> None:
         super().__init__()
         self._width = sheet.width
         self._places = _shown(sheet)
         self._pickers: list[ColumnPicker] = []
-        self.said = dict(said or {})
+        self.chosen = dict(chosen or {})
         titles = sheet.header or ("",) * sheet.width
         for place in self._places:
             picker = ColumnPicker(place + 1, titles[place], sheet.guesses[place])
             picker.setFixedWidth(_COLUMN_PX)
-            if place in self.said:
-                column, guessed = self.said[place]
+            if place in self.chosen:
+                column, guessed = self.chosen[place]
                 picker.show_column(column, guessed=guessed)
             picker.quantity_chosen.connect(lambda picker=picker: self._on_quantity(picker))
             picker.unit_chosen.connect(lambda picker=picker: self._note([picker]))
@@ -273,7 +273,7 @@ class ColumnsTable(QScrollArea):
         asking, units = self._asking(needed)
         return [1 + self._places[self._pickers.index(each)] for each in asking], units
 
-    def say_unit(self, needed: Collection[ColumnQuantity], unit: str) -> None:
+    def set_unit(self, needed: Collection[ColumnQuantity], unit: str) -> None:
         """Set the unit of those columns by the operator's answer."""
         asking, _units = self._asking(needed)
         for picker in asking:
@@ -300,7 +300,7 @@ class ColumnsTable(QScrollArea):
         """Store the choices of these columns as the operator's own."""
         for picker in pickers:
             place = self._places[self._pickers.index(picker)]
-            self.said[place] = (picker.column, picker.guessed)
+            self.chosen[place] = (picker.column, picker.guessed)
         self._model.redraw()
         self.changed.emit()
 

@@ -38,14 +38,14 @@ class DialectBar(Translated, QWidget):
         self._line.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._fields = (self._encoding, self._delimiter, self._decimal, self._line)
         self._labels = tuple(QLabel() for _ in self._fields)
-        self._said: set[QWidget] = set()
+        self._chosen_fields: set[QWidget] = set()
         for label, field in zip(self._labels, self._fields, strict=True):
             label.setBuddy(field)
             field.setFixedHeight(_FIELD_PX)
         in_flow(*map(pair, self._labels, self._fields), on=self, spacing_px=10)
         for box in (self._encoding, self._delimiter, self._decimal):
-            box.activated.connect(lambda _place, box=box: self._on_said(box))
-        self._line.valueChanged.connect(lambda _line: self._on_said(self._line))
+            box.activated.connect(lambda _place, box=box: self._on_chosen(box))
+        self._line.valueChanged.connect(lambda _line: self._on_chosen(self._line))
         self.retranslate_ui()
 
     @property
@@ -57,7 +57,7 @@ class DialectBar(Translated, QWidget):
     @property
     def dialect(self) -> Dialect:
         """The other parts of the dialect as set by the operator; ``None`` to guess one."""
-        line = self._line.value() if self._line in self._said else None
+        line = self._line.value() if self._line in self._chosen_fields else None
         return Dialect(self._value(self._delimiter), self._value(self._decimal), line)
 
     def show_table(self, table: TableFile) -> None:
@@ -71,13 +71,13 @@ class DialectBar(Translated, QWidget):
             self._line.setValue(sheet.first_line)
 
     def _value(self, box: QComboBox) -> Any:
-        return box.currentData() if box in self._said else None
+        return box.currentData() if box in self._chosen_fields else None
 
-    def _on_said(self, field: QWidget) -> None:
+    def _on_chosen(self, field: QWidget) -> None:
         """Note a corrected field; with another encoding the first line is guessed again."""
-        self._said.add(field)
+        self._chosen_fields.add(field)
         if field is self._encoding:
-            self._said.discard(self._line)
+            self._chosen_fields.discard(self._line)
         self.changed.emit()
 
     def retranslate_ui(self) -> None:

@@ -28,7 +28,7 @@ from armui.ui.watch.bus.send_box import SendBox
 from armui.ui.watch.bus.trace_model import TraceColumn, TraceModel
 from armui.ui.widgets import icons
 from armui.ui.widgets.buttons import named
-from armui.ui.widgets.curve_menu import show_curves, tell_quantities
+from armui.ui.widgets.curve_menu import set_quantities, show_curves
 from armui.ui.widgets.flow import in_flow
 from armui.ui.widgets.layouts import fill, in_row
 from armui.ui.widgets.message_line import MessageLine
@@ -182,7 +182,7 @@ class BusSummary(Translated, QWidget):
             text_label(name) for name in ("bus_load", "bus_rate", "bus_errors", "bus_lost")
         ]
         for key, value in zip(_KEYS, self._values, strict=False):
-            tell_quantities(value, key)
+            set_quantities(value, key)
         self.paused = text_label("bus_paused", rank="warning")
         self.paused.hide()
         row = in_row(self.paused, on=self, spacing=6, margins=0)
@@ -338,7 +338,7 @@ class BusPage(Page):
         self._views.addWidget(self.tree)
         self._views.addWidget(self.trace)
         self.send_box = SendBox(controller, self._texts)
-        self._timer = SeenTimer(self, LOOK_MS, self.look)
+        self._timer = SeenTimer(self, LOOK_MS, self.refresh)
         self._soon = QTimer(self, interval=_SOON_MS, singleShot=True)
         self._lay_out()
         self._connect()
@@ -376,7 +376,7 @@ class BusPage(Page):
         self._snapshot = self.statistics.snapshot()
         self._show()
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Count new frames, and show them unless the figures are paused."""
         self._count()
         device = self._controller.operating_state.device

@@ -72,10 +72,10 @@ class EventExport(FileExport):
 
     def _on_text(self, result: str | Refusal) -> None:
         if isinstance(result, Refusal):
-            self.said.emit(words.refusal(result), Level.FAULT)
+            self.message_changed.emit(words.refusal(result), Level.FAULT)
             return
         QGuiApplication.clipboard().setText(result)
-        self.said.emit(self.tr("Copied"), Level.DONE)
+        self.message_changed.emit(self.tr("Copied"), Level.DONE)
 
 
 def _write(kind: str, entries: Sequence[EventEntry], path: Path) -> None:
@@ -164,9 +164,9 @@ class EventBar(HasActs, Translated, QWidget):
         in_row((self.search, 1), *wanted, self.count, self.save, on=self, spacing=8, margins=0)
         for button in self.kinds.values():
             button.setChecked(True)
-        self.search.textChanged.connect(self._tell)
-        self.levels.activated.connect(self._tell)
-        self.askers.activated.connect(self._tell)
+        self.search.textChanged.connect(self._on_filter_changed)
+        self.levels.activated.connect(self._on_filter_changed)
+        self.askers.activated.connect(self._on_filter_changed)
         self.follow.toggled.connect(self.follow_changed)
         self.retranslate_ui()
 
@@ -202,14 +202,14 @@ class EventBar(HasActs, Translated, QWidget):
         for each, button in self.kinds.items():
             button.setChecked(kind in {None, each})
         self.askers.setCurrentIndex(max(0, self.askers.findData(who)))
-        self._tell()
+        self._on_filter_changed()
 
     @all_kinds.pressed
     def _on_all_kinds(self) -> None:
         """Tick all kinds, or none to choose some from; the filter of the source stays."""
         for each in self.kinds.values():
             each.setChecked(self.all_kinds.isChecked())
-        self._tell()
+        self._on_filter_changed()
 
     def show_count(self, shown: int, kept: int) -> None:
         """Show how many events pass the filter, and how many the log has."""
@@ -218,7 +218,7 @@ class EventBar(HasActs, Translated, QWidget):
             self.count.setText(text)
 
     @kinds.pressed
-    def _tell(self, *_: object) -> None:
+    def _on_filter_changed(self, *_: object) -> None:
         self._show_kinds()
         self.filter_changed.emit(self.wanted)
 

@@ -86,7 +86,7 @@ class EventPage(Page):
         self.bar.follow_changed.connect(self._on_follow)
         self.bar.follow.clicked.connect(self._on_follow_pressed)
         self.bar.save.wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
-        self.export.said.connect(self._say)
+        self.export.message_changed.connect(self._show_message)
         self.table.clicked.connect(self._on_clicked)
         self.table.activated.connect(self._on_activated)
         self.table.customContextMenuRequested.connect(self._open_menu)
@@ -217,7 +217,7 @@ class EventPage(Page):
         menu.addAction(self.tr("Show all"), self.bar.show_all)
         menu.popup(self.table.viewport().mapToGlobal(at))
 
-    def _say(self, text: str, level: Level) -> None:
+    def _show_message(self, text: str, level: Level) -> None:
         self._message.show_message(text, level)
 
     def headers(self) -> Mapping[str, QHeaderView]:

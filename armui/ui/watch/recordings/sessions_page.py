@@ -314,7 +314,7 @@ class SessionsPage(Page):
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message = named("sessions_message", MessageLine(keeps_room=False, lines=1))
         self._lay_out()
-        self._timer = SeenTimer(self, _LOOK_MS, self._look)
+        self._timer = SeenTimer(self, _LOOK_MS, self._refresh_cards)
         self._sessions.changed.connect(self._on_changed)
         controller.noticed.connect(self._on_noticed)
         self._model.rename_wanted.connect(self._rename)
@@ -365,7 +365,7 @@ class SessionsPage(Page):
     def showEvent(self, event: QShowEvent) -> None:
         """Read the folder again, and follow the recording in progress."""
         super().showEvent(event)
-        self._look()
+        self._refresh_cards()
         self.refresh()
 
     def event(self, event: QEvent) -> bool:
@@ -374,7 +374,7 @@ class SessionsPage(Page):
             self.refresh()
         return super().event(event)
 
-    def _look(self) -> None:
+    def _refresh_cards(self) -> None:
         self.recording.refresh()
         self.ring.refresh()
 
@@ -389,7 +389,7 @@ class SessionsPage(Page):
     def _show_listing(self, entries: list[RecordingEntry] | Refusal) -> None:
         self._listing = None
         if isinstance(entries, Refusal):
-            self._say(partial(words.refusal, entries), Level.WARNING)
+            self._show_message(partial(words.refusal, entries), Level.WARNING)
             entries = []
         names = [entry.name for entry in self.chosen()]
         if self._choose_next is not None:
@@ -401,7 +401,7 @@ class SessionsPage(Page):
 
     def _on_changed(self) -> None:
         if self.isVisible():
-            self._look()
+            self._refresh_cards()
             self.refresh()
 
     def _on_noticed(self, event: Event) -> None:
@@ -410,9 +410,9 @@ class SessionsPage(Page):
             isinstance(refused, Refusal) and refused.code.startswith("session_")
         )
         if ours and self.isVisible():
-            self._say(partial(words.event, event), event.level)
+            self._show_message(partial(words.event, event), event.level)
 
-    def _say(self, text: Words, level: Level) -> None:
+    def _show_message(self, text: Words, level: Level) -> None:
         self._message.show_message(text, level)
 
     def chosen(self) -> list[RecordingEntry]:
@@ -485,7 +485,7 @@ class SessionsPage(Page):
             self._refuse(result)
         else:
             self._choose_next = result
-            self._say("", Level.INFO)
+            self._show_message("", Level.INFO)
         self.refresh()
 
     @delete_button.pressed
@@ -510,7 +510,7 @@ class SessionsPage(Page):
             self._refuse(result)
         else:
             text = self.tr("Moved to {folder}. It can be moved back from there.")
-            self._say(text.format(folder=result), Level.DONE)
+            self._show_message(text.format(folder=result), Level.DONE)
         self.refresh()
 
     @other_button.pressed
@@ -522,10 +522,10 @@ class SessionsPage(Page):
         folder = self._sessions.choices.folder
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
             text = self.tr("This computer opens no file manager. The folder is {folder}.")
-            self._say(text.format(folder=folder), Level.WARNING)
+            self._show_message(text.format(folder=folder), Level.WARNING)
 
     def _refuse(self, refusal: Refusal) -> None:
-        self._say(partial(words.refusal, refusal), Level.WARNING)
+        self._show_message(partial(words.refusal, refusal), Level.WARNING)
 
 
 def _table(shown: QSortFilterProxyModel) -> QTableView:

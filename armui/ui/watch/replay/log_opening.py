@@ -84,7 +84,7 @@ class LogOpening(QObject):
         self._job: Job[object] | None = None
         self._is_over = False
         self._timer = QTimer(self, interval=_LOOK_MS)
-        self._timer.timeout.connect(self._look)
+        self._timer.timeout.connect(self._emit_progress)
 
     def begin(self) -> None:
         """Begin to open the log: by its index if it is a recording of ours, else by reading it."""
@@ -145,7 +145,7 @@ class LogOpening(QObject):
         self._job = Job(self._on_indexed)
         self._reading.begin(self._job, index_or_reason, self._path, self._folder.path)
 
-    def _look(self) -> None:
+    def _emit_progress(self) -> None:
         if self._progress is not None:
             self.progressed.emit(ReadingProgress.read_from(self._progress[:PROGRESS_BYTES]))
 

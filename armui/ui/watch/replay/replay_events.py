@@ -74,7 +74,7 @@ class ReplayEvents(Translated, QWidget):
         self.bar.filter_changed.connect(self.model.set_filter)
         self.bar.follow_changed.connect(self._on_follow)
         self.bar.save.wanted.connect(lambda kind: self.export.save(kind, self.model.entries()))
-        self.export.said.connect(self._say)
+        self.export.message_changed.connect(self._show_message)
         self.table.clicked.connect(self._on_chosen)
         self.table.activated.connect(self._on_chosen)
         self.table.selectionModel().currentRowChanged.connect(self._show_detail)
@@ -158,7 +158,7 @@ class ReplayEvents(Translated, QWidget):
         if entries:
             self.export.copy(entries)
 
-    def _say(self, text: str, level: Level) -> None:
+    def _show_message(self, text: str, level: Level) -> None:
         self.message.show_message(text, level)
 
     # Appearance -------------------------------------------------------------------------------

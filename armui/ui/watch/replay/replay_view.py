@@ -43,7 +43,7 @@ from armui.ui.widgets.layouts import in_column, in_row
 from armui.ui.widgets.seen_timer import SeenTimer
 from armui.ui.widgets.text_label import ElidedLabel, text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import told
+from armui.ui.words.text import localized
 from armui.viewport import palette as scene_palette
 from armui.viewport.robot_shape import pose_rows
 from armui.viewport.strokes import FrameMark
@@ -258,7 +258,7 @@ class ReplayView(Translated, QWidget):
         self._surveys: tuple[ChannelSurvey, ...] = ()
         self._lay_out(name)
         self._connect()
-        self._timer = SeenTimer(self, _LOOK_MS, self._look)
+        self._timer = SeenTimer(self, _LOOK_MS, self._refresh)
         self.retranslate_ui()
         self._recolor()
 
@@ -293,7 +293,7 @@ class ReplayView(Translated, QWidget):
         self.time_line.wanted.connect(replay.go_to)
         for part in (self.events, self.whole, self.frames):
             part.wanted.connect(replay.go_to)
-        replay.moved.connect(self._look)
+        replay.moved.connect(self._refresh)
         replay.moved.connect(self.curves.board.draw_soon)
         self._controller.state_changed.connect(self._show_arm)
         self._controller.operating_state_changed.connect(self._show_arm)
@@ -341,7 +341,7 @@ class ReplayView(Translated, QWidget):
             text += " " + self.tr("(as the log tells)") if is_told else ""
             self.generations.setItemText(place, text)
         if own is not None:
-            tip = f"{int(own.generation)}: {told(own.reason)}"
+            tip = f"{int(own.generation)}: {localized(own.reason)}"
             self.generations.setToolTip(tip)
 
     # What is shown ----------------------------------------------------------------------------
@@ -352,9 +352,9 @@ class ReplayView(Translated, QWidget):
         if marks is not self.replay.session.marks:
             self._search = MarkSearch(marks, self.replay.channel)
             self.time_line.show_marks(self._search.marks)
-        self._look()
+        self._refresh()
 
-    def _look(self) -> None:
+    def _refresh(self) -> None:
         if not self.isVisible():
             return
         replay, session = self.replay, self.replay.session
@@ -432,7 +432,7 @@ class ReplayView(Translated, QWidget):
         self.generations.setAccessibleName(self._generation_label.text())
         self.view.setAccessibleName(self.tr("3D view of the recorded arm"))
         self._name_choices()
-        self._look()
+        self._refresh()
 
     def _recolor(self) -> None:
         dark = colors_of(self) is DARK
@@ -441,7 +441,7 @@ class ReplayView(Translated, QWidget):
     def showEvent(self, event: object) -> None:
         """Update everything that is shown."""
         super().showEvent(event)  # type: ignore[arg-type]
-        self._look()
+        self._refresh()
         self._show_arm()
 
     def hideEvent(self, event: object) -> None:

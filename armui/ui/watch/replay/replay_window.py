@@ -33,7 +33,7 @@ from armui.ui.widgets.layouts import STRETCH, fill, in_column, in_row
 from armui.ui.widgets.message_line import MessageLine, Words
 from armui.ui.widgets.text_label import text_label
 from armui.ui.widgets.translated import Translated
-from armui.ui.words.text import joined, told
+from armui.ui.words.text import joined, localized
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -275,14 +275,14 @@ class ReplayWindow(ArmDialog):
     def _on_refused(self, reason: Refusal) -> None:
         self._opening = None
         self._show_waiting()
-        self._say(partial(words.refusal, reason), Level.FAULT)
+        self._show_message(partial(words.refusal, reason), Level.FAULT)
 
     def _on_opened(self, session: Session, surveys: tuple[ChannelSurvey, ...]) -> None:
         self._opening = None
         self._session, self._surveys = session, surveys
         first = surveys[0]
         self._show(first.channel, first.generation, session.start_s + _FIRST_LOOK_S)
-        self._tell_oddities(session)
+        self._show_oddities(session)
 
     # Showing ----------------------------------------------------------------------------------
 
@@ -331,7 +331,7 @@ class ReplayWindow(ArmDialog):
         def show(found: LoggedEvents | Refusal) -> None:
             self._events = None
             if isinstance(found, Refusal):
-                self._say(partial(words.refusal, found), Level.FAULT)
+                self._show_message(partial(words.refusal, found), Level.FAULT)
             else:
                 view.show_events(found.log, found.marks)
                 self._keep_counts(view.replay.session, found)
@@ -355,7 +355,7 @@ class ReplayWindow(ArmDialog):
     def _on_failed(self, text: str) -> None:
         name = "" if self._path is None else self._path.name
         reason = REPLAY_FAILED(name=name, text=text)
-        self._say(partial(words.refusal, reason), Level.FAULT)
+        self._show_message(partial(words.refusal, reason), Level.FAULT)
 
     def _oddities(self, session: Session) -> str:
         """Return a text on the parts of the log that could not be read or were corrected."""
@@ -389,13 +389,13 @@ class ReplayWindow(ArmDialog):
             )
         return joined(*parts)
 
-    def _tell_oddities(self, session: Session) -> None:
+    def _show_oddities(self, session: Session) -> None:
         if self._oddities(session):
-            self._say(partial(self._oddities, session), Level.WARNING)
-            lines = [told(each.told()) for each in session.damages[:_MOST_TOLD]]
+            self._show_message(partial(self._oddities, session), Level.WARNING)
+            lines = [localized(each.text()) for each in session.damages[:_MOST_TOLD]]
             self.message.setToolTip("\n".join(lines))
 
-    def _say(self, text: Words, level: Level) -> None:
+    def _show_message(self, text: Words, level: Level) -> None:
         self.message.show_message(text, level)
         self.message.setToolTip("")
         self.message.show()

@@ -90,10 +90,10 @@ class Transport(Translated, QWidget):
         """Set the texts in the operator's language."""
         self.buttons["previous_fault"].setText(self.tr("Previous fault"))
         self.buttons["next_fault"].setText(self.tr("Next fault"))
-        self._tell("previous_fault", self.tr("To the previous fault or stop"))
-        self._tell("next_fault", self.tr("To the next fault or stop"))
-        self._tell("step_back", self.tr("Pause, at the moment of the frame before"))
-        self._tell("step", self.tr("Pause, one frame further"))
+        self._set_tip("previous_fault", self.tr("To the previous fault or stop"))
+        self._set_tip("next_fault", self.tr("To the next fault or stop"))
+        self._set_tip("step_back", self.tr("Pause, at the moment of the frame before"))
+        self._set_tip("step", self.tr("Pause, one frame further"))
         self.speeds.setAccessibleName(self.tr("Speed of the replay"))
         self.speeds.setToolTip(
             self.tr("Multiple of the original speed. Above 4× not every frame is processed.")
@@ -103,7 +103,7 @@ class Transport(Translated, QWidget):
     def _show_play(self) -> None:
         button = self.buttons["play"]
         button.setText(self.tr("Pause") if self._playing else self.tr("Play"))
-        self._tell("play", self.tr("Play or pause"))
+        self._set_tip("play", self.tr("Play or pause"))
         self._draw("play", "pause" if self._playing else "play")
         widest = max(
             button.fontMetrics().horizontalAdvance(word)
@@ -111,7 +111,7 @@ class Transport(Translated, QWidget):
         )
         button.setMinimumWidth(widest + _ICON_PX + 36)
 
-    def _tell(self, name: str, tip: str) -> None:
+    def _set_tip(self, name: str, tip: str) -> None:
         button = self.buttons[name]
         button.setAccessibleName(button.text() or tip)
         button.setToolTip(f"{tip} ({key_text(f'replay.{name}')})")

@@ -81,7 +81,7 @@ class WholeCurves(QWidget):
         area.bar.refresh()
         self._column.addWidget(area)
         if history.begin_s > self._replay.session.start_s:
-            area.say(self.tr("The log is long: its last hour is shown."), Level.INFO)
+            area.show_message(self.tr("The log is long: its last hour is shown."), Level.INFO)
 
     def show_position(self, at_s: float) -> None:
         """Set the replay's time."""
