@@ -158,10 +158,10 @@ def log_to(folder: Path) -> Iterator[Path | None]:
         with contextlib.suppress(queue.Full):
             handler.lines.put_nowait(None)
             thread.join()
-        _let_go(lock)
+        _release(lock)
 
 
-def _let_go(lock: FileLock) -> None:
+def _release(lock: FileLock) -> None:
     with contextlib.suppress(OSError):
         lock.release()
         Path(lock.lock_file).unlink(missing_ok=True)
@@ -186,7 +186,7 @@ def _own_file(folder: Path) -> tuple[Path, FileLock]:
         try:
             open_file(path, "ab").close()
         except (OSError, ValueError):
-            _let_go(lock)
+            _release(lock)
             raise
         return path, lock
     raise OSError(errno.EBUSY, os.strerror(errno.EBUSY), str(folder))

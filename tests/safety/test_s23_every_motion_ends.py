@@ -198,7 +198,7 @@ def test_in_generation_1_as_well(qapp, request):
 ENDS: dict[str, Callable[..., Any]] = {
     "Jogging.stop": Jogging.stop,
     "Jogging.end_jog": Jogging.end_jog,
-    "Jogging._let_go": Jogging._let_go,
+    "Jogging._end_hold": Jogging._end_hold,
     "Jogging.active": getter(Jogging, "active"),
     "Execution.end_run": Execution.end_run,
     "Execution._fail": Execution._fail,

@@ -241,7 +241,7 @@ class GamepadPilot(QObject):
         hold = hand.update(state, buttons, self._mode, now_s, one_axis=settings.gamepad_one_axis)
         if hold.phase is HoldPhase.UP:
             if self._holder == key:
-                self._let_go()
+                self._release_hold()
             return
         if before is HoldPhase.UP:
             self._on_pressed(key)
@@ -310,7 +310,7 @@ class GamepadPilot(QObject):
             self._jogging.end_jog(reason)
         self._stop_ours()
 
-    def _let_go(self) -> None:
+    def _release_hold(self) -> None:
         self._holder, self._reason = None, None
         self._stop_ours()
 
@@ -337,7 +337,7 @@ class GamepadPilot(QObject):
         if buttons.dead_man in up and hand is not None:
             hand.release()
             if self._holder == info.key:
-                self._let_go()
+                self._release_hold()
         if buttons.mode and buttons.mode in down and not self._driving:
             none = self._cartesian.frame is None
             modes = [mode for mode in JogMode if mode is not JogMode.USER or not none]

@@ -260,10 +260,10 @@ class Jogging(ControllerPart):
     def stop(self) -> None:
         """Send no more setpoints: the arm rests at the last one within 100 ms."""
         if self._hold is not None:
-            self._let_go()
+            self._end_hold()
             self._context.refresh()
 
-    def _let_go(self) -> None:
+    def _end_hold(self) -> None:
         hold, self._hold = self._hold, None
         self._timer.stop()
         if hold is None:
@@ -480,7 +480,7 @@ class Jogging(ControllerPart):
 
     def halt(self) -> None:
         """End the jog: the arm is to stop, or has stopped."""
-        self._let_go()
+        self._end_hold()
 
     def forget_arm(self) -> None:
         """End the jog, because the arm is gone."""

@@ -251,7 +251,7 @@ class Collector:
         self._leaving.append((sink, then))
         if self._thread is None:
             self.collect(everything=True)
-            self._let_go()
+            self._remove_sinks()
         else:
             self._wake.set()
 
@@ -265,7 +265,7 @@ class Collector:
             for sink in self._sinks:
                 sink(rows)
 
-    def _let_go(self) -> None:
+    def _remove_sinks(self) -> None:
         while self._leaving:
             sink, then = self._leaving.popleft()
             with self._turn:
@@ -279,9 +279,9 @@ class Collector:
             leaving = bool(self._leaving)
             self._collect_safely(everything=leaving)
             if leaving:
-                self._let_go()
+                self._remove_sinks()
         self._collect_safely(everything=True)
-        self._let_go()
+        self._remove_sinks()
 
     def _collect_safely(self, *, everything: bool = False) -> None:
         try:

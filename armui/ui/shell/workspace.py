@@ -250,7 +250,7 @@ class Workspace(QObject):
 
     def put_back(self, page: Page) -> None:
         """Move a page back; pages of its kind open in the main window from now on."""
-        self._let_go(page)
+        self._release_page(page)
         layout = self._keeper.layout
         left = {key: place for key, place in layout.taken_out.items() if key != page.key}
         self._keeper.layout = replace(layout, taken_out=left)
@@ -263,7 +263,7 @@ class Workspace(QObject):
         """Close all windows because the program ends, keeping their places."""
         self._ends = True
         for page in list(self._windows):
-            self._let_go(page)
+            self._release_page(page)
 
     def next_left_open(self) -> OpenWindow | None:
         """Return the next page that was open when the program ended, or ``None``.
@@ -318,12 +318,12 @@ class Workspace(QObject):
     def _on_closed(self, page: Page) -> None:
         """Release a page that was left; if it was docked, show the page that led to it."""
         docked = page not in self._windows and page.isVisible()
-        self._let_go(page)
+        self._release_page(page)
         self._homes[page].drop_page(page)
         if docked and page.above is not None:
             page.above.open()
 
-    def _let_go(self, page: Page) -> None:
+    def _release_page(self, page: Page) -> None:
         window = self._windows.pop(page, None)
         if window is not None:
             window.release()

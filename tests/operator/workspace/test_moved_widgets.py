@@ -31,9 +31,10 @@ def items_left_behind(window):
     ]
     items = [(each, shiboken6.getCppPointer(each)) for each in known if type(each) is QWidgetItem]
     alive = {
-        shiboken6.getCppPointer(layout.itemAt(place))
+        shiboken6.getCppPointer(item)
         for layout in layouts
-        for place in range(layout.count())
+        for item in map(layout.itemAt, range(layout.count()))
+        if item is not None
     }
     return [
         owner.parentWidget()
