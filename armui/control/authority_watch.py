@@ -22,7 +22,7 @@ from armui.telemetry.events import EventKind, EventOutcome, Level
 if TYPE_CHECKING:
     from armui.control.authority import Authority
     from armui.control.link.connection import Connection
-    from armui.control.operations.telling import EmitEvent
+    from armui.control.operations.outcome_events import EmitEvent
 
 OTHER_HOST_MOVES = Notice(
     "other_host_moves",

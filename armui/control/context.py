@@ -13,8 +13,8 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LINK_LOST, LinkState, why_unreachable
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand
 from armui.control.operating_state import OperatingState
+from armui.control.operations.outcome_events import EmitEvent, close_and_emit, report_and_emit
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import EmitEvent, close_and_emit, report_and_emit
 from armui.control.parameters.planning_model import planning_model
 from armui.control.safety.overspeed import tool_pace
 from armui.control.safety.standstill import STILL_MOVING, why_moving

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from armui.control.context import ControllerPart
 from armui.control.events import Notice
-from armui.control.operations.telling import EmitEvent
+from armui.control.operations.outcome_events import EmitEvent
 from armui.telemetry.events import EventKind, Level
 
 PART_FAILED_NOTICE = Notice(

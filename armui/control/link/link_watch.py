@@ -16,7 +16,7 @@ from armui.telemetry.events import EventKind, Level
 if TYPE_CHECKING:
     from armui.arm.state import ArmState
     from armui.control.link.connection import Connection
-    from armui.control.operations.telling import EmitEvent
+    from armui.control.operations.outcome_events import EmitEvent
 
 FRAMES_DROPPED = Notice(
     "frames_dropped",

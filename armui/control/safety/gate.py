@@ -23,8 +23,8 @@ from armui.control.events import Notice
 from armui.control.motion.abort import abort_motion
 from armui.control.motion.jog_pace import accelerations
 from armui.control.motion.motion_command import CommandKind, End, MotionCommand, Mover
+from armui.control.operations.outcome_events import close_and_emit
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import close_and_emit
 from armui.control.safety.momentum import FLUENT_DEG, Momentum, momentum
 from armui.control.safety.standstill import QUIET_DEG, QUIET_S, RestWatch
 from armui.telemetry.events import EventKind, Level

@@ -13,8 +13,8 @@ from armui.control.events import Notice
 from armui.control.link.link_state import LinkState, why_only_heard, why_unreachable
 from armui.control.motion.abort import ending_frames
 from armui.control.operating_state import StopState
+from armui.control.operations.outcome_events import EmitEvent, close_and_emit, report_and_emit
 from armui.control.operations.started import Ending, Started
-from armui.control.operations.telling import EmitEvent, close_and_emit, report_and_emit
 from armui.control.safety.emergency_stop import EmergencyStop, StopWatch
 from armui.protocol import commands
 from armui.protocol.addressing import OFFSETS
