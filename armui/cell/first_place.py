@@ -71,7 +71,7 @@ class FirstPlace:
     gap_mm: float
 
     def between(self, poses: int) -> tuple[int, float]:
-        """Return the pose before the place on a way of `poses` poses, and the share behind it."""
+        """Return the pose before the place on a way of `poses` poses, and the share to the next."""
         index = max(min(int(self.at), poses - 2), 0)
         return index, self.at - index
 

@@ -36,7 +36,7 @@ def held_shape(held: HeldObject) -> HeldShape:
     across = [axis for axis in range(3) if axis != long]
     counts = [min(_MOST_BARS, math.ceil(sizes[axis] / _CELL_MM)) for axis in across]
     halves = [sizes[axis] / count / 2.0 for axis, count in zip(across, counts, strict=True)]
-    # The ends are drawn in so that the capsule reaches as far beyond the rod as beside it.
+    # The ends are drawn in so that the capsule reaches as far beyond its bar as beside it.
     drawn_in = min(*halves, sizes[long] / 2.0)
     radius = math.hypot(*halves, drawn_in)
     hull = []

@@ -327,7 +327,7 @@ class ArmController(ControllerParts):
         """Take in the feedback and advance what is under way; the controller's timer calls it."""
         now_s = self._clock()
         before = self._state
-        attempt = self._parts.attempt  # a part that fails keeps no other from running
+        attempt = self._parts.attempt  # whatever fails, a stop is repeated, and motion ended
         attempt("Connection", lambda: self._hear(now_s))
         attempt("Stopping", lambda: self._follow_stop(now_s))
         attempt("AuthorityWatch", lambda: self._watch.follow_arm(now_s))

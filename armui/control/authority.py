@@ -117,7 +117,7 @@ class Authority:
         """The earliest time at which the last mode word can have left; it may wait in the queue."""
         self._limits: tuple[JointLimits | None, ...] = ()
         self._taken_in_s = -math.inf
-        """When the newest command was sent to which the arm has had the time to react."""
+        """When the newest command was sent that the arm, by its feedback, had time to take in."""
         self._given_s = -math.inf
         """When the arm was last sent a target, or told to continue to one."""
         self._braking: tuple[float, int] | None = None

@@ -115,7 +115,7 @@ class Context:
         report_and_emit(self.emit_event, self.clock(), started, notice, **params)
 
     def why_no_motion(self) -> Refusal | None:
-        """Return why no motion frame may be sent now, by who moves the arm, or ``None``.
+        """Return why who moves the arm now rules out a motion frame of ours, or ``None``.
 
         Every motion frame passes this check, which uses the newest feedback and not that of the
         controller's last tick.
@@ -264,8 +264,8 @@ class Context:
 class ControllerPart:
     """A part of the controller that follows something over time.
 
-    A part overrides those of the three methods that it needs. One without `halt` has nothing to do
-    at a stop: it drives no motion of its own.
+    A part overrides those of the three methods that it needs. A stop does not touch one without
+    `halt`: a motion under way ends with the arm's own, and a setting moves nothing.
     """
 
     def follow_arm(self) -> None:

@@ -159,7 +159,7 @@ class MotionEnd:
         if now_s - self._ended_s > _OWED_S or connection.device is None:
             self._ended_s, self._was_lost = None, False
         elif self._was_lost and connection.link in _OPEN:
-            # The device was lost together with the abort that was sent: repeat it.
+            # The abort was lost with the device, or could not be sent without it: send it.
             self._ended_s, self._was_lost = None, False
             if not authority.other.commands:
                 self._abort()

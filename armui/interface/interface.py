@@ -82,7 +82,8 @@ _RUN: Final = "run.start"
 _OF_LIBRARY: Final = ("trajectory.list", "trajectory.get", "trajectory.check", "trajectory.plan")
 _OTHERS: Final = frozenset({Mover.OTHER_HOST, Mover.LEADER, Mover.HAND})
 _MOST_MOVING: Final = 64
-"""The newest motions of a lease are kept, ended or not; older ones while they are under way."""
+"""The number of a lease's newest operations that are kept; older ones only until they end. So the
+motion under way and the one that waits are always among them."""
 _LONGEST_TEXT: Final = 200
 
 
@@ -292,7 +293,7 @@ class Interface(QObject):
         self._end_lease(LEASE_TAKEN_BACK())
 
     def consent(self, *, given: bool) -> None:
-        """Pass on the operator's answer to a question for consent, given by a held button."""
+        """Let the client do what it asks for, or refuse it, as the operator has answered."""
         if not given:
             self._refuse_consent(LEASE_DECLINED())
             return
@@ -451,7 +452,7 @@ class Interface(QObject):
         lease = None if operation.id in UNLEASED else self._lease_of(waiting)
         if operation.moves and lease is not None and not lease.ask.moves:
             raise refused(LEASE_MOVES_NOTHING())
-        taken(bound.carry_out, waiting.call.params)  # raises before the operator is asked
+        taken(bound.carry_out, waiting.call.params)  # raises if malformed: nobody is asked
         if operation.id == "motion.set_speed" and lease is not None:
             percent = waiting.call.params["percent"]
             if self._slowed:  # the operator has set a speed: the client may only go slower
@@ -580,7 +581,7 @@ class Interface(QObject):
         request.begin()
 
     def _on_run(self, waiting: _Waiting, request: RunRequest) -> None:
-        """Answer a run when it has begun or is refused; ask the operator to accept findings."""
+        """Answer a run when it has begun or is refused; ask the operator where he must agree."""
         if self._run is None or self._run[1] is not request:
             return
         begun, checked = self._library().runner.begun, request.checked

@@ -133,7 +133,7 @@ def taken(method: Callable[..., object], params: Json) -> tuple[list[object], di
     """Return a call's arguments as the method takes them, without the number of the lease.
 
     Raises:
-        CallError: One is missing, unknown, or of another form; ranges are checked by the operation.
+        CallError: One is missing, unknown, or of another form; ranges are checked elsewhere.
     """
     left = {name: value for name, value in params.items() if name != "lease"}
     positional: list[object] = []

@@ -120,7 +120,7 @@ def _hand_angles(
 
 
 def _in_plane(turn_rad: Matrix, vectors: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """Return the components, in the arm's plane, of vectors (…, 3) in the base frame."""
+    """Return vectors (…, 3) of the base, by the arm's plane: outwards, aside of it, and upwards."""
     x, y, z = components(vectors)
     c, s = np.cos(turn_rad), np.sin(turn_rad)
     return c * x + s * y, c * y - s * x, z

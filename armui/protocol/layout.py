@@ -257,8 +257,8 @@ def _plain_layout(message: DbcMessage, of: Sequence[DbcSignal]) -> MessageLayout
         if _can_be_illegal(signal, signals[signal.name])
     )
     scaled = [signal for signal in signals.values() if signal.is_scaled]
-    # As there is no scaling, words or second byte order here, cantools' `Message` would only add
-    # its own time, which is most of the total.
+    # Raw bits need no scaling, words or second byte order: for them cantools' own `Message` would
+    # only add its time, which is most of it.
     bits = create_encode_decode_formats(sorted(of, key=start_bit), message.length).big_endian
     return MessageLayout(
         name=message.name,

@@ -125,7 +125,7 @@ def judge(way: Way, rules: Iterable[Rule], marks: Marks) -> Judgement:
     Args:
         way: The way.
         rules: All rules in force.
-        marks: The known marks; a bound without one is marked by the way's begin.
+        marks: The known marks; a bound without one is marked by the way's beginning.
     """
     after = dict(marks)
     for rule in rules:

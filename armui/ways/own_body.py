@@ -157,7 +157,7 @@ class OwnBody:
         radius_mm = float(self._moved.radii_mm[capsule])
         place = place_between(self._rods, ends[nearest], radius_mm, rod)
         x, y, z = (frame[:3, :3] @ place + frame[:3, 3]).tolist()
-        # Joint 6 does not move the fingers' axis: the contact is reported for link 5.
+        # The fingers lie in the axis of joint 6, so that their capsule is link 5's: report link 6.
         is_hand = self._moved.parts[capsule] == "gripper"
         both = self._rods.links[rod], JOINT_COUNT if is_hand else self._moved.links[capsule]
         return Contact(tuple(joints_deg), both, (x, y, z))

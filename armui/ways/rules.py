@@ -66,7 +66,7 @@ _WITH_RAMPS: Final = 1.5
 """The factor by which a check takes longer with the joints' ramps."""
 _FLANGE: Final = 6
 _OWN_BODY_ZONES: Final = 10
-"""The check of the arm's own body takes as long as that of this many planes and boxes."""
+"""The check of the arm's own body takes about as long as that of this many planes and boxes."""
 
 
 class LimitsRule:
@@ -357,7 +357,7 @@ def rules_of(arm: ArmModel, area: AreaCheck | None = None, lowest_mm: float | No
 
 
 def _some_poses(way: Way) -> Array:
-    """Return (n, 6) poses on a way, few enough for the window's thread; a mm may lie between.
+    """Return (n, 6) poses on a way, few enough for the window's thread: a mm may lie between two.
 
     They only serve to find the lowest height before the operator is asked, not for the check.
     """

@@ -100,9 +100,9 @@ def with_ramps(way: Way, speeds: Sequence[float], accelerations: Sequence[float]
     """Return a way with the deviations that the joints' ramps may cause.
 
     The joints start and arrive together, but one that turns far accelerates and brakes for longer:
-    the others are ahead of it at first, and behind it at the end. The maker does not document this.
-    So each joint is checked wherever it may be between an even turn and one with its own ramps at
-    full speed.
+    the others are ahead of it at first, and behind it at the end. The maker documents neither that
+    nor its extent at a lower speed. So each joint is checked wherever it may be between an even
+    turn and one with its own ramps at full speed.
 
     Args:
         way: The way; one that is no motion of the joints stays as it is.

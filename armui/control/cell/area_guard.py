@@ -158,7 +158,7 @@ class AreaGuard(ControllerPart):
     # The controller's tick --------------------------------------------------------------------
 
     def follow_arm(self) -> None:
-        """Report entering and leaving the area; stop another host's motion if that is chosen.
+        """Report entering and leaving the area; stop an arm that others move if that is chosen.
 
         Each plane and box counts by itself: an arm inside one may enter another. Without feedback
         nothing counts as entered or left.

@@ -473,12 +473,12 @@ class GripperControl(RequestingPart[str]):
     def _follow(self, travel: _Travel) -> None:
         feedback, now_s = self._context.state().gripper, self._context.clock()
         if feedback is None or not feedback.fresh(now_s):
-            self._lose(travel)  # no feedback: its arrival cannot be seen
+            self._lose(travel)  # its arrival cannot be seen; the silence is reported elsewhere
             return
         heard = feedback.value
         if heard.unit != travel.unit:
             if now_s - travel.moved_s >= _STANDS_S:
-                self._lose(travel)  # it never reported in the unit of its target
+                self._lose(travel)  # it still reports in the other unit
             return
         late = feedback.at_s - travel.heard_s > LATE_S
         travel.heard_s = max(travel.heard_s, feedback.at_s)

@@ -135,7 +135,7 @@ class Motors(RequestingPart[Busy]):
             joints,
             command(context.connection.codec, joint),
             lambda state: all(state.enabled()[number - 1] is on for number in joints),
-            answer=SettingIndex.MOTOR_ENABLE,  # one for all: the answer names no motor
+            answer=SettingIndex.MOTOR_ENABLE,  # the answer does not name the motor
         )
 
     def _start(

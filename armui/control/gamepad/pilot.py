@@ -171,7 +171,7 @@ class GamepadPilot(QObject):
         self._show()
 
     def _begin(self) -> None:
-        """Start reading, unless the last reader still holds the libraries: one at a time may."""
+        """Start reading, unless the last reader still holds the libraries: they serve one only."""
         if self._leaving is not None and not self._leaving.running:
             self._leaving = None
         if self._reader is None and self._leaving is None:
@@ -274,7 +274,7 @@ class GamepadPilot(QObject):
             self._stop_ours()
             return
         frame: MotionFrame | None = _FRAMES.get(self._mode)
-        if self._mode is JogMode.USER:  # ``None`` if no frame is in force: then the jog is refused
+        if self._mode is JogMode.USER:  # without a frame in force the jog is refused
             frame = self._cartesian.frame or UserFrame("")
         jog = SteeredJog(hand.hold.rates, frame, self._infos[key].name)
         jogging = self._jogging

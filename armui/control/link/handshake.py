@@ -169,7 +169,7 @@ class Handshake:
         return _VERSION_ROUNDS if state.version_heard_s is None else _TORN_ROUNDS
 
     def _leads(self, state: ArmState, now_s: float) -> bool:
-        """Return whether it is a teaching input, which sends commands and may send no status."""
+        """Return whether it is a teaching input, which sends commands and no status."""
         return state.status is None and is_fresh(state.foreign_targets_s, now_s)
 
     def _speaks_fast(self, state: ArmState, now_s: float) -> bool:

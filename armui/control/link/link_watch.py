@@ -48,8 +48,8 @@ OFFLINE_BUSY = Notice(
 _EVERY_S: Final = 10.0
 """Further losses and gaps are reported at most this often, so as not to fill the event log."""
 _STOOD_STILL_S: Final = 0.25
-"""A gap is reported as the computer's own if the ticks, every 33 ms, paused for longer than
-this."""
+"""A loss of the arm is reported as the computer's own if the ticks, every 33 ms, just paused for
+longer than this."""
 
 
 class LinkWatch:

@@ -198,6 +198,6 @@ def _version(state: ArmState, device: Device | None) -> str | None:
 def _fresh_angles_and_pose(
     state: ArmState, now_s: float
 ) -> tuple[tuple[float, ...] | None, tuple[float, ...] | None]:
-    """Return the angles and the pose, each ``None`` unless all its values are fresh."""
+    """Return the angles and the pose; both ``None`` unless every value of both is fresh."""
     fresh = all(each is not None and each.fresh(now_s) for each in (*state.joints_deg, *state.pose))
     return (state.angles_deg(), state.end_pose()) if fresh else (None, None)

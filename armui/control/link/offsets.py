@@ -116,7 +116,8 @@ class OffsetFollower:
             return self._use(requested.addressing, now_s, known=True)
         if not heard:
             return False
-        # The feedback does not show the offset of the commands: the one in use is kept, as unknown.
+        # The feedback does not show the offset of the commands: the one in use is kept, as
+        # unknown; 0x00 would be a guess.
         return self._use(Addressing(heard[0], self.addressing.control_offset), now_s, known=False)
 
     def _taken_unseen(self, requested: RequestedOffset, state: ArmState, *, came: bool) -> bool:

@@ -189,7 +189,7 @@ class TargetStream:
         goal_deg = self.setpoint_deg if rests else jog.target_deg
         ahead_deg, speeds_deg_s = self._step(goal_deg, dt_s, pace, rests=rests)
         if ahead_deg == self.setpoint_deg:
-            return None  # The setpoint is at its target.
+            return None  # the setpoint rests
         lag_deg = [
             ahead - sag - measured
             for ahead, sag, measured in zip(ahead_deg, self._sag_deg, measured_deg, strict=True)
@@ -202,7 +202,7 @@ class TargetStream:
         )
         barred = self._why_barred(ahead_deg, self.setpoint_deg, lag_deg)
         if led_too_far or barred is not None:
-            # the setpoint waits until the arm has come nearer
+            # the setpoint waits: the arm comes nearer, and needs less room then
             self._speeds_deg_s = (0.0,) * len(ahead_deg)
             self._stalled_s += dt_s
             if barred is not None and max(map(abs, lag_deg)) < _near(pace):

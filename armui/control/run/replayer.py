@@ -67,7 +67,7 @@ _SAMPLES_PERCENT: Final = 100
 _APPROACH_WITHIN_S: Final = 90.0
 """An approach that takes longer fails; time counts as slowly as the arm goes."""
 _REST_WITHIN_S: Final = 3.0
-"""An arm told to end its motion rests within this time, or the operator is warned."""
+"""An arm told to end its motion rests within this time, or the replay fails."""
 _GRIPPER_STEP_MM: Final = 0.5
 """The gripper gets a new target only when the recorded opening has changed by this much."""
 _GRIPPER_TORQUE_NM: Final = 1.0

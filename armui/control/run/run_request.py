@@ -32,7 +32,7 @@ class RequestState(enum.Enum):
     CHECKED = enum.auto()
     """The check is done; a request for a check alone ends here."""
     ASKING = enum.auto()
-    """The operator has to agree to the findings, or to a motion that long after the press."""
+    """The operator has to agree to the findings, or to a motion so long after the press."""
     STARTING = enum.auto()
     UNDER_WAY = enum.auto()
     REFUSED = enum.auto()
@@ -169,7 +169,7 @@ class RunRequest:
         late = self._clock() - self._pressed_s > _SURPRISING_S
         self.must_ask = self.runs and not checked.errors and (late or bool(checked.findings))
         self._enter(RequestState.CHECKED)
-        if self.is_over:  # only a check, or `told` gave it up
+        if self.is_over:  # only a check, or `on_state` gave it up
             return
         if checked.errors:
             self._refuse(FINDINGS_AGAINST(count=checked.errors))
@@ -217,7 +217,7 @@ class RunRequest:
         self._enter(RequestState.REFUSED)
 
     def _enter(self, state: RequestState) -> None:
-        """Change to another state, and call `told`.
+        """Change to another state, and call `on_state`.
 
         Raises:
             ValueError: The state may not follow the present one.

@@ -387,7 +387,7 @@ class ReferenceControl(ControllerPart):
         self._allowed_until_s = -math.inf
 
     def forget_arm(self) -> None:
-        """Forget the arm; its record is kept, unless it is a simulated arm."""
+        """Forget the arm; its record is kept, of a simulated arm only pose and photo."""
         self._leave()
         self._simulated = None
 

@@ -32,7 +32,7 @@ class Unheld(enum.Enum):
 
 
 class MotionKind(enum.Enum):
-    """The kinds of motion that such an arm shows."""
+    """What is known of the motion of an arm that nothing holds, or commanded to move."""
 
     UNMEASURED = "unmeasured"
     """Whether it stands is not measured yet."""

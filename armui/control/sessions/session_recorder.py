@@ -315,7 +315,7 @@ class SessionRecorder(QObject):
             return
         self._begin_collecting()
         if self._device is not None and self._device != report.device and self._ring is not None:
-            self._ring.clear()  # another bus: its frames must not mix
+            self._ring.clear()  # another bus: its frames must not be mixed in
         self._device = report.device
         self._timer.start()
 

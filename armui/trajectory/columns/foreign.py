@@ -168,7 +168,7 @@ def _rows(records: Sequence[dict[str, Any]]) -> list[Sequence[Any]]:
                 place[title] = place.get(title, 0) + value
             continue
         texts = [str(value) for key, value in record.items() if key in ("type", "command", "cmd")]
-        if texts or record is not records[-1]:  # the last may be torn
+        if texts or record is not records[-1]:  # the last one may be cut off
             unknown[texts[0] if texts else "?"] = None
     if unknown:
         raise broken(FILE_COMMANDS, text=", ".join(unknown))

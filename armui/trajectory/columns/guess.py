@@ -102,7 +102,7 @@ _UNIT_GUESSED: Final = 0.8
 _PLACE_ONLY: Final = 0.5
 
 _FULL_TURN_RAD: Final = 2 * math.pi + 0.01
-"""A larger angle cannot be in radians; the rest is rounding."""
+"""A larger angle is not in radians: a full turn, and 0.01 for rounding."""
 _FULL_TURN_DEG: Final = 360.0
 _BEYOND_DEG: Final = 20.0
 """Arms in the field carry other limits than the factory's, and lie beyond them at rest."""
@@ -281,7 +281,7 @@ def _joints(parts: Sequence[tuple[str, str]]) -> dict[int, ColumnQuantity]:
     best = max(groups, key=lambda each: len(groups[each].keys() & set(range(7))), default=None)
     numbers = {} if best is None else groups[best]
     is_array = best is not None and bool(best[0])
-    first = 0 if 0 in numbers and (is_array or 6 not in numbers) else 1  # may count from 0
+    first = 0 if 0 in numbers and (is_array or 6 not in numbers) else 1  # some count from 0
     quantities = {
         numbers[first + index]: joint
         for index, joint in enumerate(JOINTS)

@@ -98,7 +98,7 @@ def decode_as(data: bytes, encoding: Encoding) -> str:
 
 
 def _odd(before: str, encoding: Encoding) -> TrajectoryFileError:
-    """Raise the error for the first wrong character, which is the one after the decoded text."""
+    """Return the error for the first wrong character, which is the one after a decoded text."""
     lines = before.removeprefix("\ufeff").splitlines(keepends=True)
     line, column = max(1, len(lines)), len(lines[-1]) + 1 if lines else 1
     if lines and lines[-1].endswith(("\n", "\r")):

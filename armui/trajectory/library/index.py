@@ -268,7 +268,7 @@ def _unpack(data: dict[str, Any]) -> dict[str, tuple[Stamp, IndexEntry]]:
             frames=frames,
         )
         if entry.kind == "points":
-            entry = replace(entry, length_s=None)  # a former check's: void elsewhere
+            entry = replace(entry, length_s=None)  # once that of a check, from the arm's place then
         if damage is not None:
             code, params, line, column, name = damage
             _require(isinstance(code, str) and isinstance(params, dict) and isinstance(name, str))

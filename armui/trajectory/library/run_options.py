@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 FIRST_RUN_PERCENT: Final = 20
-"""The highest speed, in %, at which a trajectory begins that has never run."""
+"""The highest speed, in %, at which a trajectory that never ran begins: its path is unseen."""
 MOST_CYCLES: Final = 9999
 
 

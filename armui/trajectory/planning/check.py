@@ -729,7 +729,7 @@ def _recorded(recording: Recording, path: PlannedPath, arm: ArmModel) -> Iterato
         yield EMPTY()
         return
     joints_deg = recording.joints_deg
-    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # without the way back
+    times_s = path.times_s[path.cycles == 1][-len(joints_deg) :]  # without approach and way back
     for joint, angles, limits in zip(JOINTS, joints_deg.T, arm.limits, strict=True):
         speeds = turning_speeds(times_s, angles)
         fast = speeds > _SPEED_SLACK * limits.max_speed_deg_s

@@ -1,4 +1,4 @@
-"""Copies points to the clipboard and pastes them, between the tool shown and the flange kept."""
+"""Points as text for and from the clipboard: shown for a tool, kept for the flange."""
 
 from __future__ import annotations
 

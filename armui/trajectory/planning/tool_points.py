@@ -35,7 +35,7 @@ class ToolPoints:
     def __init__(self, tool: Values = NO_TOOL, decimals: int = _SHOWN_DECIMALS) -> None:
         self.tool = tool
         self._decimals = decimals
-        self._shown: dict[Values, Values] = {}  # what is shown, by the flange's pose
+        self._shown: dict[Values, Values] = {}  # by the flange's pose; as typed, if it was
 
     @property
     def is_flange(self) -> bool:
@@ -116,7 +116,7 @@ class ToolPoints:
 
 
 def rounded(point: Waypoint) -> Waypoint:
-    """Return a point that was computed, with its figures rounded for display."""
+    """Return a point computed from figures with more decimals, rounded to those that are shown."""
     if point.is_joint:
         return point
     target, *middle = (
