@@ -287,7 +287,7 @@ class Program:
             logging.getLogger(name).addHandler(self._failure_handler)
         self._event_keeper: EventKeeper | None = None
         self._instances: InstanceRegistry | None = None
-        # called by the event loop after the window is built, so as not to delay its first paint
+        # called by the event loop, once the window is built
         QTimer.singleShot(0, self._relay, self._switch_served)
         if events is not None:
             keep = partial(self._keep_events, events, files or workers)
@@ -304,7 +304,7 @@ class Program:
         return self._files.waiting if isinstance(self._files, FileThread) else ()
 
     def note_version(self, trajectories: Path) -> None:
-        """Note in a file which version uses the user's files, and whether another did before."""
+        """Have the file thread note which version uses the user's files, and what it takes over."""
         settings = self._store.settings
         sessions = Path(settings.session_folder) if settings.session_folder else paths.sessions()
         places = {"trajectories": trajectories, "sessions": sessions}

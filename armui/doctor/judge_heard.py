@@ -178,7 +178,7 @@ _FASTEST_DEG_S: Final = 3600.0
 _FASTEST_DEG_S2: Final = 20_000.0
 """An acceleration far above any joint of this arm; 0xFFFF read back is 37,548 °/s²."""
 _TILT_DEG: Final = 89.0
-"""Nearer to RY = ±90° RX and RZ are ambiguous."""
+"""From this RY on, up to ±90°, RX and RZ are ambiguous."""
 _LOW_V: Final = 21.0
 """A voltage below this is too low; the supply has 24 V."""
 _SILENT_BY_TEACHING_LEVEL: Final = 255

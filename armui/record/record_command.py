@@ -223,7 +223,7 @@ def _refusal_text(reason: Refusal) -> str:
 
 
 def _print_progress(recording: SessionRecording, lane: FrameLane, now_s: float) -> None:
-    """One line that is written over, where a person may be looking."""
+    """Write the progress over the line before; nothing if the output is no terminal."""
     if not sys.stderr.isatty():
         return
     elapsed_s = now_s - recording.begun_s

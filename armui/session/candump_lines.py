@@ -54,7 +54,7 @@ class CandumpLines:
     """Rewrites the lines of one log, in their order.
 
     Args:
-        builder: Gets the notes on times that are missing or relative.
+        builder: Gets the notes on the log, and is to find out whether times are relative.
     """
 
     def __init__(self, builder: BatchBuilder) -> None:

@@ -55,7 +55,8 @@ class Session(Protocol):
 
     Log time is in seconds as the recording has it, since 1970 or since its beginning. It never runs
     backwards: such times in the file were corrected, and `reversed_times` counts them. Every method
-    may be called from any thread, also several at once. `open_session` makes one.
+    may be called from any thread, also several at once. `RecordedSession` and
+    `IndexedLog` implement it.
 
     Attributes:
         start_s, end_s: Log time of the first and of the last frame; both 0 without any.

@@ -233,7 +233,7 @@ class _Lines:
     Attributes:
         number: Number of the line handed out last, from 1.
         pending: That line, until a frame was made of it; then "".
-        rows: Frames gathered for the batch under way; set by who reads.
+        rows: Frames gathered for the batch under way; set by the reader.
         hopeful: A frame has been read, so that nonsense no longer ends the reading.
     """
 
@@ -297,7 +297,7 @@ class _Lines:
             self._builder.pauses = True
 
     def look_for_end(self) -> None:
-        """Raise an error if the file has held nothing readable for too long.
+        """Give up on a file that has held nothing readable for too long.
 
         Raises:
             NonsenseError: Nothing was readable from the beginning on.

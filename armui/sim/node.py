@@ -61,7 +61,7 @@ class Node(ArmLoop):
         return frames
 
     def _is_worth_hearing(self, message: can.Message) -> bool:
-        """Return whether it is a classic data frame, and not our own (udp_multicast echoes)."""
+        """Return whether it is a classic data frame, not the arm's own (udp_multicast echoes)."""
         return not (
             message.arbitration_id in self._feedback_ids
             or message.is_error_frame

@@ -18,7 +18,7 @@ _LOCK_S: Final = 0.05
 
 @contextlib.contextmanager
 def alone_with(path: Path) -> Iterator[None]:
-    """Lock a file for this program; without a lock if the file system has none.
+    """Lock a file for this program; on a file system without locks, go on without one.
 
     The system releases the lock of a program that is killed.
 

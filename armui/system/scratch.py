@@ -25,7 +25,7 @@ _NAME: Final = re.compile(r"armui-(?:replay|work)-(?:(\d{1,10})-)?[a-z0-9_]+")
 _OLD_S: Final = 600.0
 """A younger folder may belong to a program that has just started."""
 _FORGOTTEN_S: Final = 7 * 86_400.0
-"""After a week only the age counts: by then another process may have the number in the name."""
+"""Without a lock only the age counts from then on: another process may have the number by now."""
 _LOCK: Final = "in-use.lock"
 """It lies inside the folder, which other users cannot open: beside it they could place a link."""
 _SYNCHRONIZE: Final = 0x100000

@@ -19,7 +19,7 @@ _PERIOD_S: Final = 0.005
 """Angles are reported 200 times a second."""
 _LEAST: Final = 3
 _WORTH_DEG: Final = 0.3
-"""Smaller jumps are noise at the begin or end of a fall: only the largest of them is returned."""
+"""Smaller jumps are noise where a fall begins or ends: only the largest of them is returned."""
 
 
 def jump_deg(

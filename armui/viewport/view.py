@@ -540,7 +540,7 @@ class ArmView(QWidget):
             self.first_frame_shown.emit()
 
     def _on_lost(self, lost: Lost) -> None:
-        """End a drag, because handles in a lost picture are not where they seem to be (S24)."""
+        """End a drag: nobody may aim at handles that are no longer drawn (S24)."""
         self._lost = lost
         self._again_button.setVisible(not lost.comes_back)
         self.update()

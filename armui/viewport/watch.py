@@ -45,7 +45,7 @@ LIMITS: Final = {
     PicturePhase.FIRST_DRAWING: Limits(10.0, 5.0),  # for a driver that compiles its shaders
     PicturePhase.DRAWING: Limits(5.0, 1.0),
 }
-"""Limits of silence are longer: other programs may delay the sending of signs of life."""
+"""The limit of silence allows for other programs, which may delay the signs of life."""
 
 
 def is_stuck(busy: PictureBusy, busy_for_s: float) -> bool:

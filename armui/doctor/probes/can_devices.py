@@ -228,7 +228,7 @@ def _may_open(path: Path) -> bool:
 
 
 def _group(path: Path) -> str:
-    if sys.platform != "win32":  # Windows has no such folder
+    if sys.platform != "win32":  # Windows has no groups of files
         with contextlib.suppress(OSError, KeyError):
             return path.group()
     return ""

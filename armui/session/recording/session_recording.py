@@ -77,7 +77,7 @@ class SessionRecording:
 
     @property
     def path(self) -> Path | None:
-        """The recording's first file; ``None`` until it exists."""
+        """The path of its first file, which may not exist yet; ``None`` likewise."""
         return None if self._writer is None else self._writer.path
 
     @property

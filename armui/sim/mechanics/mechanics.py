@@ -320,7 +320,7 @@ class Mechanics:
         self._motion.place(self._without_sag(self.positions_deg))
 
     def _take_up(self) -> None:
-        """Hands joints that followed setpoints over to the planner, with their present motion."""
+        """Hands joints that fell or followed setpoints over to the planner, with their motion."""
         if self._loop:
             self._loop.void()
             self._motion.carry(self._without_sag(self.positions_deg), self.speeds_deg_s, STANDSTILL)

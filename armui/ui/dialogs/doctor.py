@@ -186,7 +186,7 @@ class DoctorDialog(ArmDialog):
 
     def _arguments(self) -> list[str]:
         if self._controller.operating_state.device is not None:
-            return ["--no-listen"]  # two programs on one adapter take each other's frames
+            return ["--no-listen"]  # two programs on one adapter: one of them would lose it
         device = self._device
         if device is None or device.simulated:
             return []

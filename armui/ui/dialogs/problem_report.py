@@ -142,7 +142,7 @@ class ProblemReportDialog(ArmDialog):
         self._collecting = True
         self._began = (time.monotonic(), self._controller.state.frames)
         self._message.show_message(self.tr("Looking at this computer, logs and settings…"))
-        # the examination must not open an adapter in use: they would take each other's frames
+        # the examination must not open an adapter in use: one of the two would lose it
         connected = self._controller.operating_state.device is not None
         self._under_way = self._examine(
             ["--no-listen"] if connected else [], lambda answer: self._answered.emit(number, answer)

@@ -54,7 +54,7 @@ _ONCE: Final = frozenset({"lost-reference", "corrupt-limits", "slip"})
 
 
 class FaultsDialog(ArmDialog):
-    """Switches faults of the simulated arm by direct calls, never by a bus: no real arm is reached.
+    """Switches faults of the simulated arm by its hand, never by a bus: no real arm is reached.
 
     Args:
         controller: Gives the connected arm.

@@ -79,7 +79,7 @@ class GamepadStrip(Translated, QWidget):
         return self._text.text()
 
     def _choose(self, settings: Settings) -> None:
-        """Switch the gamepads on or off; their code is not loaded before they are first used."""
+        """Switch the gamepads on or off; their code is loaded only once they are on."""
         if self._view is None:
             if not settings.gamepad:
                 return

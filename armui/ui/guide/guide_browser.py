@@ -26,7 +26,6 @@ class GuideBrowser(QTextBrowser):
 
     Args:
         background: Reads pictures.
-        folder: The guide's folder.
 
     Signals:
         section_wanted: A link to another section was clicked, with the section's name.

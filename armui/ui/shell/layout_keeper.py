@@ -26,8 +26,8 @@ _AFTER_MS: Final = 1000
 class LayoutKeeper(QObject):
     """Reads the arrangement once, and writes it a moment after a change.
 
-    If the file cannot be written, no message is shown: the next start only has the default
-    arrangement.
+    If the file cannot be written, no message is shown: the next start only has an older
+    arrangement, or the default one.
 
     Args:
         settings: The file of the operator's settings.

@@ -37,7 +37,7 @@ class HaltButton(Translated, PressButton):
         self.retranslate_ui()
 
     def act(self) -> None:
-        """End any motion with power on."""
+        """End any motion; the motors keep their power."""
         self._controller.halt_and_hold()
 
     def retranslate_ui(self) -> None:

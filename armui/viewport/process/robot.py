@@ -37,7 +37,7 @@ _WAYS: Final = np.array(
 )
 """The 26 directions in each of which the outermost point of a link is found."""
 _WIDE: Final = 10.0
-"""More than the travel of any gripper joint, in m or rad: limited to the range it gives its end."""
+"""More than any gripper joint travels, in m or rad: limited to its range, it gives its end."""
 
 
 @dataclass(frozen=True, eq=False)

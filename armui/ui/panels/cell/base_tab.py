@@ -1,4 +1,4 @@
-"""The tab of the base: its place in the room, and whether the arm was sent the mounting."""
+"""The tab of the base: its place in the room, and whether the mounting was sent to the arm."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ class BaseTab(CellTab):
         self._answered(self._controller.cell.change(cell))
 
     def _mounting_of_arm(self) -> Mounting | None:
-        """Return the mounting that was last sent to this arm, or ``None``."""
+        """Return the mounting that this program has sent last to this arm, or ``None``."""
         now, identity = self._controller.operating_state, self._controller.state.identity
         if now.device is None or self.preferences is None:
             return None

@@ -357,7 +357,7 @@ class CellPanel(Panel):
         )
 
     def _on_read(self, cell: Cell | Refusal) -> None:
-        """Ask before a cell is imported, with its differences from the one that it replaces."""
+        """Ask before importing a cell; show how it differs from the replaced or chosen one."""
         if isinstance(cell, Refusal):
             self._accepted(cell)
             return

@@ -45,7 +45,7 @@ def change_command(name: str, title: Text, *, risky: bool = False) -> Command:
 
 
 def hint_label(name: str, lines: int = 2) -> QLabel:
-    """Return a label for the next step; its height is fixed, so that nothing below it moves."""
+    """Return a label for the next step; it keeps room for its lines, so that nothing moves."""
     label = text_label(name, wraps=True)
     label.setMinimumHeight(lines * label.fontMetrics().lineSpacing())
     label.setAlignment(Qt.AlignmentFlag.AlignTop)

@@ -74,7 +74,7 @@ class FrameByPoints(PointSearch):
         self._show()
 
     def found(self) -> Pose | Refusal | None:
-        """Return the frame given by the points, or why there is none; ``None``: points miss."""
+        """Return the frame given by the points, or why there is none; ``None``: too few points."""
         points = [point for point in self._points if point is not None]
         if len(points) == _POINTS:
             return frame_from_points(*points)

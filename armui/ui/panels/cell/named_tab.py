@@ -450,7 +450,7 @@ class ForceTab(NamedTab):
     """A list whose chosen thing is in force: tools or user frames.
 
     A new one is not chosen by itself: displayed figures and moves would jump. A message says how
-    to.
+    to choose it.
     """
 
     _added = ""

@@ -52,7 +52,7 @@ class PointSearch(Translated, QWidget):
         self._restart.clicked.connect(self.restart)
 
     def found(self) -> Pose | Refusal | None:
-        """Return the pose given by the points, or why there is none; ``None``: points miss."""
+        """Return the pose given by the points, or why there is none; ``None``: too few points."""
         raise NotImplementedError
 
     def restart(self) -> None:

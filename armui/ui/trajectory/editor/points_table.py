@@ -262,7 +262,7 @@ class PointsTable(QTableView):
         """Take what is being typed in a cell; return its row, and why that cannot be taken.
 
         An entry that was refused when its cell was left is returned once: the cell shows the old
-        figure again, which the operator may not notice.
+        figure again, which the operator did not ask for.
         """
         for editor in self.viewport().findChildren(QWidget):
             if isinstance(editor, CellEditor) and editor.isVisible():

@@ -32,7 +32,7 @@ def import_all_but_logs(folder: Path, paths: Sequence[Path], new_in: str = "") -
 
 
 def _refused_if_log(imported: Imported) -> Imported:
-    """Return the result for a file; a CAN log is refused, although it has columns as a table."""
+    """Return the result for a file; a CAN log is refused, although it has columns."""
     # imported here, because the window starts without python-can
     from armui.session.frames import NotALogError  # noqa: PLC0415
     from armui.session.reader import LogFile  # noqa: PLC0415

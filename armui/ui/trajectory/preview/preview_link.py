@@ -174,7 +174,7 @@ def cut_picture(
 _ROUNDED_S: Final = 0.0005
 """The rounding of the fields, which show milliseconds: the last sample may be a bit later."""
 _LEAST_S: Final = 1e-6
-"""The least time between two samples, so that a speed is never divided by zero."""
+"""The least time between two samples, so that nothing is divided by zero."""
 _ZERO: Final = (0.0,) * VALUE_COUNT
 _DECIMALS: Final = 3
 """The decimals of targets, as they are sent and shown in the table."""
