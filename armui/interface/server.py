@@ -180,7 +180,7 @@ class Server:
     def send_notification(self, method: str, params: Json, to: ClientSession | None = None) -> None:
         """Send a notification to one session, or to all that want the events."""
         line = messages.notification(method, params)
-        self._soon(lambda: self._broadcast(line, to))
+        self._soon(lambda: self._send_line(line, to))
 
     def cut_off(self, session: ClientSession) -> None:
         """Close the connection of a client."""
@@ -363,7 +363,7 @@ class Server:
         due_s = self._clock()
         while True:
             told = report(self._state(), self._clock(), fields)
-            self._broadcast(messages.notification("state", told), session)
+            self._send_line(messages.notification("state", told), session)
             due_s = max(due_s + period_s, self._clock())
             await asyncio.sleep(due_s - self._clock())
 
@@ -384,7 +384,7 @@ class Server:
             line = messages.error(value, id_) if wrong else messages.result(id_, value)  # type: ignore[arg-type]
             self._send(session, line)
 
-    def _broadcast(self, line: bytes, to: ClientSession | None) -> None:
+    def _send_line(self, line: bytes, to: ClientSession | None) -> None:
         wanting = [each for each in self._sessions.values() if each.events]
         for session in wanting if to is None else [to]:
             if _unread(session) <= MOST_UNREAD:

@@ -49,11 +49,11 @@ def buttons_below(panel):
 def test_no_button_below_the_card_moves_when_something_is_said(panel):
     message = panel.findChild(MessageLine)
     for height in range(700, 330, -5):
-        panel._show_refusal(None)
+        panel._show_outcome(None)
         panel.resize(440, height)
         QApplication.sendPostedEvents()
         before = [each.geometry() for each in buttons_below(panel)]
-        panel._show_refusal(Refusal(STOPPED))
+        panel._show_outcome(Refusal(STOPPED))
         QApplication.sendPostedEvents()
         assert message.isVisible()
         assert [each.geometry() for each in buttons_below(panel)] == before, height

@@ -114,7 +114,7 @@ class SinkingWatch:
         self._cause: Unheld | None = None
         self._joints = ALL_JOINTS
         self._anchor_deg: tuple[float, ...] | None = None
-        self._is_at_rest = False
+        self._has_rested = False
         self._since_s: float | None = None
         self._shown_s = -math.inf
         self._unheard = False
@@ -154,7 +154,7 @@ class SinkingWatch:
         if late or watched.counted_anew or _jumped(last, sample):
             samples.clear()
             if self._since_s is None:
-                self._anchor_deg, self._is_at_rest = None, False
+                self._anchor_deg, self._has_rested = None, False
             elif last is not None and not late:
                 self._shift_anchor(last, sample)
         samples.append(sample)
@@ -193,7 +193,7 @@ class SinkingWatch:
     def _count_from_here(self) -> None:
         if self._samples:
             self._anchor_deg = self._samples[-1].joints_deg
-        self._is_at_rest = self._rest.at_rest
+        self._has_rested = self._rest.at_rest
 
     def _judge(self, watched: WatchedMotion, *, fresh: bool) -> None:
         if not self._samples or self._anchor_deg is None:
@@ -204,10 +204,10 @@ class SinkingWatch:
             self._count_from_here()
         if self._since_s is None:
             at_rest = self._rest.at_rest
-            self._is_at_rest = self._is_at_rest or at_rest
+            self._has_rested = self._has_rested or at_rest
             if fresh and not at_rest and self._turned(newest)[1] > self._threshold_deg:
                 self._since_s, self._shown_s = watched.now_s, -math.inf
-            elif not self._is_at_rest and watched.cause is not Unheld.NOT_TOLD:
+            elif not self._has_rested and watched.cause is not Unheld.NOT_TOLD:
                 self.motion = UncommandedMotion(MotionKind.UNMEASURED, watched.cause)
             else:
                 self.motion = None

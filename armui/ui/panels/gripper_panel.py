@@ -562,7 +562,7 @@ class GripperPanel(Panel):
             refusal = self._first_wrong()
         if refusal is not None and refusal.reason == BUSY and self._refusal is None:
             refusal = None  # no message is needed: the end of the request is reported
-        self._show_refusal(refusal, self._event)
+        self._show_outcome(refusal, self._event)
 
     def _describe(self) -> None:
         for rows in self._rows_of.values():

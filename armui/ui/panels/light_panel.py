@@ -395,7 +395,7 @@ class LightPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(why_no_lamps(self._operating_state))
-        self._show_refusal(self._refusal or standing or self._first_wrong())
+        self._show_outcome(self._refusal or standing or self._first_wrong())
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

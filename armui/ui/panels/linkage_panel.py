@@ -210,7 +210,7 @@ class LinkagePanel(Panel):
             refusal = CONTROL_OFFSET_UNKNOWN()
         if refusal is None and not operating_state.teaching_input and self._event is None:
             refusal = self._unless_told(operating_state.unreachable)
-        self._show_refusal(refusal, self._event)
+        self._show_outcome(refusal, self._event)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -178,7 +178,7 @@ class MotorPanel(Panel):
     def _accepted(self, answer: Started | Refusal | None) -> bool:
         """Show a refusal until the next command, and return whether the command was accepted."""
         if isinstance(answer, Refusal):
-            self._show_refusal(answer)
+            self._show_outcome(answer)
         return not isinstance(answer, Refusal)
 
     # -- what the arm says --------------------------------------------------------------------
@@ -209,7 +209,7 @@ class MotorPanel(Panel):
         blocked = self._unless_told(why_not_enable(self._operating_state))
         if blocked is not None and blocked.reason == BUSY:
             blocked = None  # no message is needed: the end of the request is reported
-        self._show_refusal(blocked, self._event)
+        self._show_outcome(blocked, self._event)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

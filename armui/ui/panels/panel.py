@@ -201,7 +201,7 @@ class Panel(HasActs, Translated, QWidget):
         self._show_message()
         return self._refusal is None
 
-    def _show_refusal(self, refusal: Refusal | None, event: Event | None = None) -> None:
+    def _show_outcome(self, refusal: Refusal | None, event: Event | None = None) -> None:
         """Show a refusal, otherwise the last event, otherwise nothing."""
         if refusal is not None:
             self._message.show_message(words.refusal(refusal), level_of(refusal))

@@ -401,7 +401,7 @@ class TeachingPanel(Panel):
         unreachable = self._unless_told(self._operating_state.unreachable)
         refusal = self._refusal or unreachable or self._withdrawn
         if refusal is not None:
-            self._show_refusal(refusal)
+            self._show_outcome(refusal)
         elif controller.teaching.pending is not None:
             text = self.tr("Waiting for the arm: {command}")
             command = TEACHING_COMMANDS.text(controller.teaching.pending)

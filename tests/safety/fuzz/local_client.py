@@ -78,7 +78,7 @@ class LockstepServer(Server):
 
     def _subscribe(self, session: ClientSession, _rate_hz: float, fields: Iterable[str]) -> None:
         told = report(self._state(), self._clock(), tuple(fields))
-        self._broadcast(messages.notification("state", told), session)
+        self._send_line(messages.notification("state", told), session)
 
 
 class _Line:

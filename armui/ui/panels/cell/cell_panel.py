@@ -489,7 +489,7 @@ class CellPanel(Panel):
         refusal = self._refusal
         if refusal is None and self._event is None:
             refusal = self._unless_told(self._operating_state.unconfirmed_cell)
-        self._show_refusal(refusal, self._event)
+        self._show_outcome(refusal, self._event)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

@@ -667,7 +667,7 @@ class JogPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.cannot_move)
-        self._show_refusal(self._refusal or standing or self._first_wrong(), self._event)
+        self._show_outcome(self._refusal or standing or self._first_wrong(), self._event)
 
     def retranslate_ui(self) -> None:
         """Set the texts of the head in the operator's language."""

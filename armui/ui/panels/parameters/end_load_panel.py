@@ -391,7 +391,7 @@ class EndLoadPanel(Panel):
 
     def _show_message(self) -> None:
         standing = self._unless_told(self._operating_state.unreachable)
-        self._show_refusal(self._refusal or standing, self._event)
+        self._show_outcome(self._refusal or standing, self._event)
 
     def retranslate_ui(self) -> None:
         """Set all texts in the operator's language."""

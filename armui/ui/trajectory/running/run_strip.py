@@ -92,7 +92,7 @@ class RunStrip(HasActs, Translated, QWidget):
         self._text = named("run_text", ElidedLabel())
         self._bar = named("run_bar", QProgressBar(maximum=_STEPS, textVisible=False))
         self._bar.setFixedWidth(_BAR_PX)
-        self._texts = QWidget()
+        self._text_box = QWidget()
         self._beside = self._stood_first = False
         self._buttons_px = 0
         self._ends = QTimer(self, singleShot=True, interval=END_MS)
@@ -101,8 +101,8 @@ class RunStrip(HasActs, Translated, QWidget):
         self._close.setIconSize(QSize(_ICON_PX, _ICON_PX))
         lines = in_column(self._name, self._text, spacing=0, margins=0)
         lines.setAlignment(Qt.AlignmentFlag.AlignVCenter)
-        in_row((lines, 1), self._bar, on=self._texts, spacing=12, margins=0)
-        self._row = in_row((self._texts, 1), self._next, on=self, spacing=12)
+        in_row((lines, 1), self._bar, on=self._text_box, spacing=12, margins=0)
+        self._row = in_row((self._text_box, 1), self._next, on=self, spacing=12)
         fill(self._row, self._pause, self._continue, self._stop, self._close)
         self._row.setContentsMargins(_SIDE_PX, _TOP_PX, _SIDE_PX, 0)
         self._runner.progressed.connect(self._on_progress)
@@ -190,14 +190,14 @@ class RunStrip(HasActs, Translated, QWidget):
         RunStrip._pause.show(self)
         self._continue.setVisible(running and paused)
         self._stop.setVisible(running)
-        self._texts.setVisible(not (running and self._beside))
+        self._text_box.setVisible(not (running and self._beside))
         # beside an obstacle the end's text takes their width, so that its button stays in place
         if running:
             self._buttons_px = self._row.sizeHint().width() - 2 * _SIDE_PX if self._beside else 0
         self._close.setVisible(not running and (self.stands_first or not self._beside))
         told_px = self._buttons_px or _LEAST_PX
-        self._texts.setMaximumWidth(told_px if self._beside else _UNBOUNDED_PX)
-        self._texts.setMinimumWidth(told_px if self._beside else 0)
+        self._text_box.setMaximumWidth(told_px if self._beside else _UNBOUNDED_PX)
+        self._text_box.setMinimumWidth(told_px if self._beside else 0)
         self._bar.setVisible(not self._beside)
         self._show_end(wanted=self.isVisible() and not running)
         self.update()
