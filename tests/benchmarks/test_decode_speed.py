@@ -47,7 +47,7 @@ def second() -> Second:
                     signal: draw.uniform(-20, 20)
                     for signal in codec.signals(name)
                     if codec.unit(name, signal) in {"deg", "mm", "rad", "rad/s", "A", "N.m"}
-                    and signal != "BusCurrent"
+                    and signal not in {"BusCurrent", "Angle"}  # no sign; in place of Opening
                 }
                 frames.append(codec.encode(name, **signals))
     messages = [

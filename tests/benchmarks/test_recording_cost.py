@@ -39,7 +39,7 @@ def take_in(codec, frames, line, lane, begin_s):
         at_s += 1 / FRAMES_PER_S
         heard = codec.decode(frame)
         tracker.update(heard, at_s)
-        line.heard.append((heard, at_s, frame, 0))
+        line.received.append((heard, at_s, frame, 0))
         if number % BATCH == BATCH - 1:
             line.flush(codec, at_s)
     taken_s = time.thread_time() - began_s

@@ -197,8 +197,7 @@ class Loads:
     def _check(self, _count):
         def begin():
             over: list[Any] = []
-            job = self.window._checks.prepare(self.checked, RunOptions(), over.append)
-            self.window._checks.begin(job)
+            self.window._checks.begin(self.checked, RunOptions(), over.append)
             return lambda: bool(over)
 
         return begin
