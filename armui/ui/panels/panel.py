@@ -34,7 +34,7 @@ _LEVELS: Final = {
     STOP_REQUESTED: Level.FAULT,
     ARM_FAULT: Level.FAULT,
 }
-_FIXED: Final = (QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
+_SLACK_POLICIES: Final = (QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
 _GAP_PX: Final = 10
 _BELOW_PX: Final = 7
 """The gap below the message, which has a margin of its own."""
@@ -68,7 +68,7 @@ class Panel(HasActs, Translated, QWidget):
         self._event: Event | None = None
         self._told_here: tuple[str, ...] = ()
         self._area: QScrollArea | None = None
-        self._slack = QSpacerItem(0, 0, *_FIXED)
+        self._slack = QSpacerItem(0, 0, *_SLACK_POLICIES)
         self._gap_px = _GAP_PX
         self._title = text_label(rank="title")
         self._message = named(message_name, MessageLine(steady=True))
@@ -180,8 +180,8 @@ class Panel(HasActs, Translated, QWidget):
         shown_px = 0 if message.isHidden() else message.height() + self._gap_px
         end = layout.itemAt(layout.count() - 1)
         spare_px = self._slack.sizeHint().height() + (0 if end is None else end.geometry().height())
-        below_px = area.height() - _least_height(card, area.viewport().width())
-        room_px = below_px + spare_px + shown_px
+        unused_px = area.height() - _least_height(card, area.viewport().width())
+        room_px = unused_px + spare_px + shown_px
         short = room_px < message.kept_px() + self._gap_px
         place = layout.indexOf(area) + 2 if short else layout.count() - 2
         if layout.indexOf(message) != place:
@@ -192,7 +192,7 @@ class Panel(HasActs, Translated, QWidget):
         taken_px = message.sizeHint().height() + self._gap_px if said else 0
         slack_px = max(0, room_px - taken_px) if short else 0
         if slack_px != self._slack.sizeHint().height():
-            self._slack.changeSize(0, slack_px, *_FIXED)
+            self._slack.changeSize(0, slack_px, *_SLACK_POLICIES)
             layout.invalidate()
 
     def _accepted(self, answer: Started | Refusal | None) -> bool:

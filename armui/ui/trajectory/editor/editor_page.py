@@ -262,8 +262,8 @@ class EditorPage(Page):
         # bars that come and go take height from the table: jog buttons and 发送 never move
         fill(self.body, self._actions.bar(self._note), self._find_bar, (self.table, 1))
         fill(self.body, self._findings, self._other_arm, self._message)
-        # PySide keeps the items of a layout that is added filled, also one whose widget has left:
-        # it takes the next Qt object at that address for it, and crashes at that one's end
+        # Added empty, because the jog box moves to the body: PySide makes objects for the items of
+        # a filled layout and keeps them when Qt deletes the items, which ends in a crash
         self._foot = in_column(margins=0)
         self.footer.addLayout(self._foot, 1)
         fill(self._foot, self._jog, self._run_bar)
